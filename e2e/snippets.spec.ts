@@ -8,6 +8,9 @@ import { expect, test } from "./fixtures.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
 import { copyAddress, setSpeed } from "./support/remote-robot.ts";
 import { exampleCommand, runScript } from "./support/script.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 interface Script {
   name: string;
@@ -18,6 +21,8 @@ interface Script {
 const [python = ""] = exampleCommand("Python");
 const [node = ""] = exampleCommand("JavaScript");
 const [java = ""] = exampleCommand("Java");
+/** A short program needs less processor time without Java's second compiler. */
+const quickStart = ["-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"];
 
 /** The scripts of the page, /docs and the README, saved as files where the program needs one. */
 async function firstScripts(page: Page, address: string, folder: string): Promise<Script[]> {
@@ -55,7 +60,8 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
     { name: "README in TypeScript", command: module, text: block("ts") },
   ];
   if (inPath("java").length > 0) {
-    all.push({ name: "Java", command: [java, await saved("Robot.java", inJava)], text: inJava });
+    const file = await saved("Robot.java", inJava);
+    all.push({ name: "Java", command: [java, ...quickStart, file], text: inJava });
   }
   await openMoreSection(page);
   for (const { name, text } of all) {
@@ -66,16 +72,12 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
 
 const CHOOSE_REMOTE = "Remote is not driving: choose Remote on the robot's page.";
 
+/** States of the page, each after the other, and the last line that a script prints then. */
 const states = [
   {
     state: "on Remote",
     prepare: async () => undefined,
     last: /^("state":")?completed"?$|^\d+(\.\d+)?$|^$/,
-  },
-  {
-    state: "on Me",
-    prepare: (page: Page) => page.getByRole("radio", { name: "Me", exact: true }).click(),
-    last: new RegExp(CHOOSE_REMOTE),
   },
   {
     state: "with paused scripts",
@@ -88,8 +90,23 @@ const states = [
   },
   {
     state: "paused",
-    prepare: (page: Page) => page.getByRole("button", { name: "Pause", exact: true }).click(),
+    prepare: async (page: Page) => {
+      const scripts = page.getByRole("region", { name: "Scripts" });
+      await scripts.getByRole("button", { name: "Let scripts drive" }).click();
+      await expect(scripts.getByRole("button", { name: "Pause scripts" })).toBeVisible();
+      await page.getByRole("button", { name: "Pause", exact: true }).click();
+      await expect(page.getByRole("button", { name: "Run", exact: true })).toBeVisible();
+    },
     last: /The run is paused: press Run on the robot's page\./,
+  },
+  {
+    state: "on Me",
+    prepare: async (page: Page) => {
+      await page.getByRole("button", { name: "Run", exact: true }).click();
+      await page.getByRole("radio", { name: "Me", exact: true }).click();
+      await expect(page.getByRole("radio", { name: "Me", exact: true })).toBeChecked();
+    },
+    last: new RegExp(CHOOSE_REMOTE),
   },
   {
     state: "closed",
@@ -98,41 +115,39 @@ const states = [
   },
 ];
 
-test("a first script with a misspelled action reports its name and the valid actions", async ({
-  page,
-}) => {
-  const folder = await mkdtemp(join(tmpdir(), "corridor-misspelled-"));
+test("every first script ends with instructions in each state of the page", async ({ page }) => {
+  const folder = await mkdtemp(join(tmpdir(), "corridor-first-"));
   await page.goto("/");
-  const scripts = await firstScripts(page, await copyAddress(page), folder);
-  for (const { name, command, text } of scripts) {
-    const misspelled = text.replace(/action(.{1,6})left 90/, "action$1turn left");
-    if (misspelled === text) continue;
-    // Java reads a file instead of its input.
-    if (name === "Java") await writeFile(join(folder, "Robot.java"), misspelled);
-    const { code, output } = await runScript([...command], misspelled);
-    expect(output, name).toMatch(/found '?turn left'?, expected one of forward, reverse, stop/);
-    expect(code, name).toBe(1);
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+  const scripts = await firstScripts(page, address, folder);
+
+  await test.step("a misspelled action is reported with its name and the valid actions", async () => {
+    for (const { name, command, text } of scripts) {
+      const misspelled = text.replace(/action(.{1,6})left 90/, "action$1turn left");
+      if (misspelled === text) continue;
+      // Java reads a file instead of its input.
+      if (name === "Java") await writeFile(join(folder, "Robot.java"), misspelled);
+      const { code, output } = await runScript([...command], misspelled);
+      expect(output, name).toMatch(/found '?turn left'?, expected one of forward, reverse, stop/);
+      expect(code, name).toBe(1);
+      if (name === "Java") await writeFile(join(folder, "Robot.java"), text);
+    }
+  });
+
+  const run = async ({ name, command, text }: Script) => {
+    const { code, output } = await runScript([...command], text);
+    return { name, code, output, last: output.trimEnd().split("\n").at(-1) ?? "" };
+  };
+  for (const { state, prepare, last } of states) {
+    await test.step(`the page is ${state}`, async () => {
+      await prepare(page);
+      for (const ended of await Promise.all(scripts.map(run))) {
+        expect(ended.last, `${ended.name}: ${ended.output}`).toMatch(last);
+        expect(ended.output, ended.name).not.toContain("Traceback");
+        expect(ended.code, ended.name).toBe(state === "on Remote" ? 0 : 1);
+      }
+    });
   }
   await rm(folder, { recursive: true });
 });
-
-for (const { state, prepare, last } of states) {
-  test(`every first script ends with instructions when the page is ${state}`, async ({ page }) => {
-    const folder = await mkdtemp(join(tmpdir(), "corridor-first-"));
-    await page.goto("/");
-    await setSpeed(page, "16");
-    const address = await copyAddress(page);
-    const scripts = await firstScripts(page, address, folder);
-    await prepare(page);
-    const run = async ({ name, command, text }: Script) => {
-      const { code, output } = await runScript([...command], text);
-      return { name, code, output, last: output.trimEnd().split("\n").at(-1) ?? "" };
-    };
-    for (const ended of await Promise.all(scripts.map(run))) {
-      expect(ended.last, `${ended.name}: ${ended.output}`).toMatch(last);
-      expect(ended.output, ended.name).not.toContain("Traceback");
-      expect(ended.code, ended.name).toBe(state === "on Remote" ? 0 : 1);
-    }
-    await rm(folder, { recursive: true });
-  });
-}
