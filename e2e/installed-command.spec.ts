@@ -14,6 +14,9 @@ import { publint } from "publint";
 import { expect, test } from "./fixtures.ts";
 import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 const CLI = fileURLToPath(new URL("../apps/cli/", import.meta.url));
 const PACKAGE = join(CLI, "dist");
@@ -34,12 +37,6 @@ async function blocksOfReadme(): Promise<{ language: string; code: string }[]> {
     language,
     code,
   }));
-}
-
-/** Installs the package and saves the documents of the README. */
-async function installWithDocuments(): Promise<void> {
-  await folder.install(PACKAGE);
-  await writeDocuments();
 }
 
 /** Saves the documents of the README. */
@@ -64,67 +61,70 @@ function fromSources(...args: string[]) {
   return folder.try(process.execPath, SOURCE, ...args);
 }
 
-test("the npm package contains one file of code and needs no other package", async () => {
-  expect(folder.pack(PACKAGE).files.toSorted()).toEqual([
-    "LICENSE",
-    "README.md",
-    "THIRD-PARTY-LICENSES",
-    "corridor.js",
-    "package.json",
-  ]);
-  const manifest = JSON.parse(await readFile(join(PACKAGE, "package.json"), "utf8"));
-  expect(Object.keys(manifest).filter((field) => /dependencies/i.test(field))).toEqual([]);
-  expect((await publint({ pkgDir: PACKAGE, strict: true })).messages).toEqual([]);
-});
+test("the installed command does what its README and its sources do", async () => {
+  const { files } = await folder.install(PACKAGE);
+  await writeDocuments();
 
-test("each command of the README prints what the README shows", async () => {
-  await installWithDocuments();
-  const blocks = await blocksOfReadme();
-  const examples = blocks.flatMap(({ language, code }, at) => {
-    const runsHere = language === "sh" && /^npx corridor (?:simulate|grade|maze) [^>]*$/.test(code);
-    return runsHere ? [{ words: code.trim().split(" "), output: blocks[at + 1] }] : [];
+  await test.step("the npm package contains one file of code and needs no other package", async () => {
+    expect(files.toSorted()).toEqual([
+      "LICENSE",
+      "README.md",
+      "THIRD-PARTY-LICENSES",
+      "corridor.js",
+      "package.json",
+    ]);
+    const manifest = JSON.parse(await readFile(join(PACKAGE, "package.json"), "utf8"));
+    expect(Object.keys(manifest).filter((field) => /dependencies/i.test(field))).toEqual([]);
+    expect((await publint({ pkgDir: PACKAGE, strict: true })).messages).toEqual([]);
   });
-  expect(examples).toHaveLength(4);
-  for (const { words, output } of examples) {
-    const [npx = "", ...args] = words;
-    expect(output?.language).toBe("text");
-    expect(folder.run(npx, ...args)).toBe(output?.code);
-    expect(fromSources(...args.slice(1)).stdout).toBe(output?.code);
-  }
-});
 
-test("simulate and grade print the same as from the sources, on all cores too", async () => {
-  await installWithDocuments();
-  const [maze, rightWall, forward] = ["maze.json", "right-wall.json", "forward.json"];
-  const everyCore = ["--seconds", "86400", "--until", "goal"];
-  for (const args of [
-    ["simulate", "--maze", maze, "--program", rightWall, "--digest"],
-    ["grade", "--program", rightWall, forward, "--maze", maze, "--why", "--seconds", "30"],
-    // The limit is so high that worker threads start. The runs end at the goal.
-    ["grade", "--program", rightWall, "--maze", maze, maze, maze, ...everyCore],
-    ["grade", "--challenge", "lesson.json", "--program", rightWall, "--unseen", "tree:7x7:100:1"],
-    ["--help"],
-    ["grade", "--help"],
-  ]) {
-    const installed = corridor(...args);
-    expect(installed).toMatchObject({ code: 0, stderr: "" });
-    expect(installed).toEqual(fromSources(...args));
-  }
-});
+  await test.step("each command of the README prints what the README shows", async () => {
+    const blocks = await blocksOfReadme();
+    const examples = blocks.flatMap(({ language, code }, at) => {
+      const runsHere =
+        language === "sh" && /^npx corridor (?:simulate|grade|maze) [^>]*$/.test(code);
+      return runsHere ? [{ words: code.trim().split(" "), output: blocks[at + 1] }] : [];
+    });
+    expect(examples).toHaveLength(4);
+    for (const { words, output } of examples) {
+      const [npx = "", ...args] = words;
+      expect(output?.language).toBe("text");
+      expect(folder.run(npx, ...args)).toBe(output?.code);
+      expect(fromSources(...args.slice(1)).stdout).toBe(output?.code);
+    }
+  });
 
-test("invalid files and unknown commands exit with code 2", async () => {
-  await installWithDocuments();
-  for (const args of [
-    ["simulate", "--maze", "maze.json", "--program", "maze.json"],
-    ["grade", "--program", "nowhere.json", "--maze", "maze.json"],
-    ["conformance", "http://localhost/r/abc"],
-    ["grad"],
-    [],
-  ]) {
-    const installed = corridor(...args);
-    expect(installed).toMatchObject({ code: 2, stdout: "" });
-    expect(installed).toEqual(fromSources(...args));
-  }
+  await test.step("simulate and grade print the same as from the sources, on all cores too", async () => {
+    const [maze, rightWall, forward] = ["maze.json", "right-wall.json", "forward.json"];
+    const everyCore = ["--seconds", "86400", "--until", "goal"];
+    for (const args of [
+      ["simulate", "--maze", maze, "--program", rightWall, "--digest"],
+      ["grade", "--program", rightWall, forward, "--maze", maze, "--why", "--seconds", "30"],
+      // The limit is so high that worker threads start. The runs end at the goal.
+      ["grade", "--program", rightWall, "--maze", maze, maze, maze, ...everyCore],
+      ["grade", "--challenge", "lesson.json", "--program", rightWall, "--unseen", "tree:7x7:100:1"],
+      ["--help"],
+      ["grade", "--help"],
+    ]) {
+      const installed = corridor(...args);
+      expect(installed).toMatchObject({ code: 0, stderr: "" });
+      expect(installed).toEqual(fromSources(...args));
+    }
+  });
+
+  await test.step("invalid files and unknown commands exit with code 2", async () => {
+    for (const args of [
+      ["simulate", "--maze", "maze.json", "--program", "maze.json"],
+      ["grade", "--program", "nowhere.json", "--maze", "maze.json"],
+      ["conformance", "http://localhost/r/abc"],
+      ["grad"],
+      [],
+    ]) {
+      const installed = corridor(...args);
+      expect(installed).toMatchObject({ code: 2, stdout: "" });
+      expect(installed).toEqual(fromSources(...args));
+    }
+  });
 });
 
 test("the downloaded grade.mjs grades in an empty folder, on all cores too", async ({ relay }) => {
