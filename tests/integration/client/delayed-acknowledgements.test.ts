@@ -6,7 +6,7 @@ import { parseRobotAddress } from "../../../packages/client/src/robot-address.ts
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { GridRobot } from "../../support/client/grid-robot.ts";
 import { slowNetwork, type SlowNetwork } from "../../support/client/slow-network.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
 /** Waits until the network has received this many more snapshots. */
 async function receive(network: SlowNetwork, snapshots: number): Promise<void> {
@@ -16,9 +16,11 @@ async function receive(network: SlowNetwork, snapshots: number): Promise<void> {
     .toBeGreaterThanOrEqual(until);
 }
 
+const sharedRelay = sharedRelayProcess();
+
 /** The address of a robot whose page reports more often than the relay sends snapshots. */
 async function reportingRobot(): Promise<string> {
-  const relay = await startRelayProcess();
+  const relay = await sharedRelay();
   const registration = await registerRobot(relay.url, fetch);
   const robot = new GridRobot(relay.url, registration, ["###", "#.#", "###"]);
   const timer = setInterval(() => robot.link.sendSnapshot(robot.snapshot()), 1_000 / 30);

@@ -13,6 +13,7 @@ import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { startTruncatingProxy } from "../../support/client/truncating-proxy.ts";
 import { startForwardProxy } from "../../support/client/forward-proxy.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
 /** Prevents .NET from using the network and the home directory; ignored by other programs. */
 const DOTNET = {
@@ -92,6 +93,8 @@ function csharpProject(framework: string, file: string): string {
 </Project>`;
 }
 
+const sharedRelay = sharedRelayProcess();
+
 /** A host whose commands all expire. @returns its origin */
 async function startLateHost(): Promise<string> {
   const host = createServer((request, response) => {
@@ -152,7 +155,7 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
   );
 
   it.skipIf(isMissing)("continues despite truncated responses, and sends its name", async () => {
-    const { relay, robot, registration } = await robotIn(TREE);
+    const { relay, robot, registration } = await robotIn(TREE, await sharedRelay());
     const proxy = await startTruncatingProxy(relay.url, 7);
     const { hash, pathname } = new URL(registration.address);
     const cells = String(robot.openCells);
@@ -170,7 +173,7 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
   });
 
   it.skipIf(isMissing)("uses the network's proxy", async () => {
-    const { relay, robot, registration } = await robotIn(TREE);
+    const { relay, robot, registration } = await robotIn(TREE, await sharedRelay());
     const proxy = await startForwardProxy(relay.url);
     const { hash, pathname } = new URL(registration.address);
     const cells = String(robot.openCells);
@@ -190,7 +193,7 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
   });
 
   it.skipIf(isMissing)("reports an invalid address or key in one sentence", async () => {
-    const { registration } = await robotIn(TREE);
+    const { registration } = await robotIn(TREE, await sharedRelay());
     const [withoutKey] = registration.address.split("#");
     const noKey = start(`${withoutKey}`);
     await expect(noKey).rejects.toMatchObject({

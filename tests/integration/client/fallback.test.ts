@@ -4,14 +4,20 @@ import { globalPlatform, type Platform } from "../../../packages/client/src/plat
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import type { FilterMode } from "../../support/client/filter-proxy.ts";
+import type { RelayProcess } from "../../support/relay-process.ts";
 import { startFilterProxy } from "../../support/client/start-filter-proxy.ts";
 import { GridRobot } from "../../support/client/grid-robot.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { sharedRelayProcess, startRelayProcess } from "../../support/test-relay-process.ts";
 
 const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
 
-async function behind(mode: FilterMode, platform?: Platform) {
-  const relay = await startRelayProcess();
+const sharedRelay = sharedRelayProcess();
+
+async function behind(
+  mode: FilterMode,
+  { own, platform }: { own?: RelayProcess; platform?: Platform } = {},
+) {
+  const relay = own ?? (await sharedRelay());
   const proxy = await startFilterProxy(relay.url, mode);
   const registration = await registerRobot(proxy.origin, fetch);
   const robot = new GridRobot(proxy.origin, registration, CORRIDOR);
@@ -19,7 +25,7 @@ async function behind(mode: FilterMode, platform?: Platform) {
   const address = `${proxy.origin}/r/${registration.id}#${registration.driverKey}`;
   const script = await RobotClient.connect(address, platform === undefined ? {} : { platform });
   onTestFinished(() => script.close());
-  return { relay, proxy, robot, script };
+  return { proxy, robot, script };
 }
 
 const modes: FilterMode[] = [
@@ -54,7 +60,8 @@ describe("behind a filter", () => {
   );
 
   it("they resume by long polling after the relay was killed", async () => {
-    const { relay, robot, script } = await behind("blocked");
+    const relay = await startRelayProcess();
+    const { robot, script } = await behind("blocked", { own: relay });
     await script.right90();
     const records: Promise<{ seq: number }>[] = [];
     for (let n = 0; n < 20; n++) records.push(script.move(100));
@@ -83,7 +90,7 @@ describe("behind a filter", () => {
         after: (ms: number, call: () => void) => real.clock.after(ms / 20, call),
       },
     };
-    const { proxy, script } = await behind("blocked", fast);
+    const { proxy, script } = await behind("blocked", { platform: fast });
     expect(await script.right90()).toMatchObject({ state: "completed" });
     proxy.mode = "none";
     await expect.poll(() => proxy.upgrades, { timeout: 30_000 }).toBeGreaterThan(0);

@@ -5,14 +5,16 @@ import { HostLink } from "../../../packages/client/src/host-link.ts";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { snapshotOf } from "../../../packages/protocol/src/testing/index.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
 const NEAR = { sensor: "front", is: "<=", than: 60 } as const;
 const FORWARD = { action: "forward", until: [NEAR] };
 
+const sharedRelay = sharedRelayProcess();
+
 /** A host that starts each command, and ends it when the test says so. */
 async function host() {
-  const relay = await startRelayProcess();
+  const relay = await sharedRelay();
   const registration = await registerRobot(relay.url, fetch);
   const delivered: DeliveredCommand[] = [];
   const link: HostLink = new HostLink({

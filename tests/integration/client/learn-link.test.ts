@@ -5,16 +5,18 @@ import { ClassAtRelay } from "../../../apps/relay/src/testing/class-at-relay.ts"
 import { LearnLink } from "../../../packages/client/src/learn-link.ts";
 import type { FilterMode } from "../../support/client/filter-proxy.ts";
 import { startFilterProxy } from "../../support/client/start-filter-proxy.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
 /** long enough for the attempts before the fallback */
 const PATIENT = { timeout: 30_000 };
 
 const modes: FilterMode[] = ["none", "blocked", "buffering"];
 
+const sharedRelay = sharedRelayProcess();
+
 /** A class with one student, who has connected. */
 async function inClass(mode: FilterMode) {
-  const relay = await startRelayProcess();
+  const relay = await sharedRelay();
   const proxy = await startFilterProxy(relay.url, mode);
   const room = await ClassAtRelay.create({ origin: relay.url });
   const { key } = await room.join();

@@ -1,6 +1,9 @@
 import { describe, expect, it, onTestFinished } from "vitest";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotWithCode } from "../../support/client/robot-with-code.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
+
+const sharedRelay = sharedRelayProcess();
 
 describe("pairing with a real relay", () => {
   it("drives with its own key once the owner accepts", async () => {
@@ -9,7 +12,7 @@ describe("pairing with a real relay", () => {
       code,
       answer: reply,
       registration,
-    } = await robotWithCode(["####", "#..#", "####"]);
+    } = await robotWithCode((await sharedRelay()).url, ["####", "#..#", "####"]);
     const pairing = RobotClient.pair(origin, code, { name: "Paired" });
     await reply(true);
     const robot = await pairing;
@@ -20,7 +23,8 @@ describe("pairing with a real relay", () => {
   });
 
   it("fails if the owner refuses", async () => {
-    const { origin, code, answer: reply } = await robotWithCode(["####", "#..#", "####"]);
+    const testBed = await robotWithCode((await sharedRelay()).url, ["####", "#..#", "####"]);
+    const { origin, code, answer: reply } = testBed;
     const pairing = RobotClient.pair(origin, code);
     await Promise.all([
       expect(pairing).rejects.toMatchObject({ code: "pairing-refused" }),

@@ -9,6 +9,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { createdKeySchema } from "@corridor/protocol";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotWithCode, type RobotWithCode } from "../../support/client/robot-with-code.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
 const ROOT = join(import.meta.dirname, "../../..");
 const LIBRARY = join(ROOT, "packages/client-python/src");
@@ -43,7 +44,11 @@ async function run([program = "", ...args]: readonly string[], code: string): Pr
   return stdout;
 }
 
+const sharedRelay = sharedRelayProcess();
 const hasCurl = spawnSync("curl", ["--version"]).status === 0;
+
+const robotHere = async (maze: readonly string[]): Promise<RobotWithCode> =>
+  robotWithCode((await sharedRelay()).url, maze);
 
 describe("the code in the documentation", () => {
   it.each([
@@ -51,7 +56,7 @@ describe("the code in the documentation", () => {
     { readme: "packages/client-python/README.md", excerpt: "while robot.sensor.front", by: python },
     { readme: "packages/client-python/README.md", excerpt: "asyncio.run", by: python },
   ])("$readme drives by an address: $excerpt", async ({ readme, excerpt, by }) => {
-    const testBed = await robotWithCode(["#####", "#...#", "#####"]);
+    const testBed = await robotHere(["#####", "#...#", "#####"]);
     const script = await RobotClient.connect(testBed.registration.address);
     await script.right90();
     script.close();
@@ -63,7 +68,7 @@ describe("the code in the documentation", () => {
     { readme: "packages/client/README.md", excerpt: "now.goalReached", by: node },
     { readme: "packages/client-python/README.md", excerpt: "robot.goal_reached", by: python },
   ])("$readme follows the right wall to the goal: $excerpt", async ({ readme, excerpt, by }) => {
-    const testBed = await robotWithCode(["#####", "#...#", "###.#", "#####"]);
+    const testBed = await robotHere(["#####", "#...#", "###.#", "#####"]);
     testBed.robot.goal = { column: 3, row: 2 };
     expect(await run(by, withRobot(blockIn(readme, excerpt), testBed))).toMatch(
       /^Goal reached after 0 bumps\n$/,
@@ -75,7 +80,7 @@ describe("the code in the documentation", () => {
     { readme: "packages/client/README.md", excerpt: "await robot.maze()", by: node },
     { readme: "packages/client-python/README.md", excerpt: "robot.maze()", by: python },
   ])("$readme reads the maze: $excerpt", async ({ readme, excerpt, by }) => {
-    const testBed = await robotWithCode(["####", "#..#", "####"]);
+    const testBed = await robotHere(["####", "#..#", "####"]);
     const { origin, registration } = testBed;
     await fetch(`${origin}/api/v1/robots/${registration.id}/maze`, {
       method: "PUT",
@@ -106,7 +111,7 @@ describe("the code in the documentation", () => {
     "$readme gets an address by a code: $excerpt",
     async ({ readme, excerpt, by, turns }, { skip }) => {
       skip(excerpt.startsWith("curl") && !hasCurl, "curl is not installed");
-      const testBed = await robotWithCode(["####", "#..#", "####"]);
+      const testBed = await robotHere(["####", "#..#", "####"]);
       const [output] = await Promise.all([
         run(by, withRobot(blockIn(readme, excerpt), testBed)),
         testBed.answer(true),
@@ -145,7 +150,7 @@ describe("the code in the documentation", () => {
       ].join("\n"),
     },
   ])("a watch link reads in $language, and does not drive", async ({ by, program }) => {
-    const { origin, registration, robot } = await robotWithCode(["####", "#..#", "####"]);
+    const { origin, registration, robot } = await robotHere(["####", "#..#", "####"]);
     const response = await fetch(`${origin}/api/v1/robots/${registration.id}/keys`, {
       method: "POST",
       headers: {
@@ -161,7 +166,7 @@ describe("the code in the documentation", () => {
   });
 
   it("the function in /docs/commands retries, and the robot moves once", async () => {
-    const testBed = await robotWithCode(["#####", "#...#", "#####"]);
+    const testBed = await robotHere(["#####", "#...#", "#####"]);
     const script = await RobotClient.connect(testBed.registration.address);
     await script.right90();
     script.close();

@@ -17,7 +17,7 @@ import {
 } from "../../../packages/protocol/src/testing/robot-port.cases.ts";
 import { snapshotOf } from "../../../packages/protocol/src/testing/index.ts";
 import type { RelayProcess } from "../../support/relay-process.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { sharedRelayProcess, startRelayProcess } from "../../support/test-relay-process.ts";
 
 /** A client reconnects within seconds after a restart. */
 const WAIT = { timeout: 20_000 };
@@ -80,8 +80,7 @@ async function pageAt(origin: string, credentials: Registration): Promise<PortPa
   };
 }
 
-async function world(): Promise<PortWorld & { relay: RelayProcess }> {
-  const relay = await startRelayProcess();
+async function world(relay: RelayProcess): Promise<PortWorld> {
   const registration = await registerRobot(relay.url, fetch);
   const { id, ownerKey } = registration;
   const keys: string[] = [];
@@ -93,7 +92,6 @@ async function world(): Promise<PortWorld & { relay: RelayProcess }> {
     return response;
   };
   return {
-    relay,
     page: await pageAt(relay.url, registration),
     open: async (kind) => {
       const response = await ask("POST", "/keys", { kind });
@@ -120,11 +118,13 @@ async function world(): Promise<PortWorld & { relay: RelayProcess }> {
   };
 }
 
-robotPortCases("the port of a client", world);
+const sharedRelay = sharedRelayProcess();
+robotPortCases("the port of a client", async () => world(await sharedRelay()));
 
 describe("the port of a client whose relay restarts", () => {
   it("receives a gap, and the end of its command", async () => {
-    const { relay, page, open } = await world();
+    const relay = await startRelayProcess();
+    const { page, open } = await world(relay);
     const port = await open("drive");
     const calls: string[] = [];
     port.subscribe({
@@ -149,7 +149,8 @@ describe("the port of a client whose relay restarts", () => {
   });
 
   it("refuses when the relay does not return in time", async () => {
-    const { relay, open } = await world();
+    const relay = await startRelayProcess();
+    const { open } = await world(relay);
     const port = await open("drive");
     await relay.kill();
     await expect(port.send({ action: "stop" })).rejects.toMatchObject({

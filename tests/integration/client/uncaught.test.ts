@@ -6,7 +6,9 @@ import { describe, expect, it } from "vitest";
 import type { ClientError } from "../../../packages/client/src/client-error.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
+const sharedRelay = sharedRelayProcess();
 const ROOT = join(import.meta.dirname, "../../..");
 
 /** Runs lines of JavaScript after the import. @returns the standard error, in lines */
@@ -23,7 +25,7 @@ async function failureOf(...lines: string[]): Promise<string[]> {
 
 describe("an uncaught error of a JavaScript script", () => {
   it("is the line of the script and a sentence, without a line of the library", async () => {
-    const { registration } = await robotIn(["###", "#.#", "###"]);
+    const { registration } = await robotIn(["###", "#.#", "###"], await sharedRelay());
     const wrong = registration.address.replace(/#.*/, "#drv_AAAAAAAAAAAAAAAAAAAAAA");
     const connect = await failureOf(`await RobotClient.connect("${wrong}");`);
     expect(connect[0]).toMatch(/\[eval1\]:2$/);
@@ -48,7 +50,7 @@ describe("an error of RobotClient", () => {
     { wrong: "key", change: /#.*/, to: "#drv_AAAAAAAAAAAAAAAAAAAAAA" },
     { wrong: "id", change: /r\/.*#/, to: "r/AAAAAAAAAAAAAAAAAAAAAA#" },
   ])("has the words of the relay's HTTP response for a wrong $wrong", async ({ change, to }) => {
-    const { registration } = await robotIn(["###", "#.#", "###"]);
+    const { registration } = await robotIn(["###", "#.#", "###"], await sharedRelay());
     const address = registration.address.replace(change, to);
     const { href, hash } = new URL(address);
     const url = href.replace("/r/", "/api/v1/robots/").replace(hash, "/sensors");

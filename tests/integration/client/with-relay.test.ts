@@ -6,6 +6,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { HostLink } from "../../../packages/client/src/host-link.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const EXAMPLES = join(import.meta.dirname, "../../../examples");
@@ -24,6 +25,8 @@ const TREE = [
 
 const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
 
+const sharedRelay = sharedRelayProcess();
+
 async function scriptFor(address: string): Promise<RobotClient> {
   const script = await RobotClient.connect(address);
   onTestFinished(() => script.close());
@@ -32,7 +35,7 @@ async function scriptFor(address: string): Promise<RobotClient> {
 
 describe("a script and a robot at a real relay", () => {
   it("drives, reads and stops", async () => {
-    const { robot, registration } = await robotIn(CORRIDOR);
+    const { robot, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const script = await scriptFor(registration.address);
     expect(await script.right90()).toMatchObject({ state: "completed", duplicate: false });
     expect((await script.sensors()).front).toBe(3_950);
@@ -61,7 +64,7 @@ describe("a script and a robot at a real relay", () => {
   });
 
   it("reads the maze of its robot", async () => {
-    const { relay, registration } = await robotIn(CORRIDOR);
+    const { relay, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const script = await scriptFor(registration.address);
     await expect(script.maze()).rejects.toMatchObject({ code: "no-maze" });
     const maze = {
@@ -109,7 +112,7 @@ describe("a script and a robot at a real relay", () => {
   });
 
   it("retains commands while the page is disconnected, and cancels those that a reload has lost", async () => {
-    const { relay, robot, registration } = await robotIn(CORRIDOR);
+    const { relay, robot, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const script = await scriptFor(registration.address);
     await script.right90();
     robot.link.close();
@@ -151,7 +154,7 @@ describe("a script and a robot at a real relay", () => {
   });
 
   it("explains to a script whose command a pause ended how to continue", async () => {
-    const { relay, robot, registration } = await robotIn(CORRIDOR);
+    const { relay, robot, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const script = await scriptFor(registration.address);
     await script.right90();
     robot.link.close();
@@ -173,7 +176,7 @@ describe("a script and a robot at a real relay", () => {
   });
 
   it("ends a script at once when its key is revoked", async () => {
-    const { relay, registration } = await robotIn(CORRIDOR);
+    const { relay, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const robot = await RobotClient.connect(registration.address);
     const made = await fetch(`${relay.url}/api/v1/robots/${registration.id}/keys`, {
       method: "POST",
@@ -195,7 +198,7 @@ describe("a script and a robot at a real relay", () => {
   });
 
   it("distinguishes a wrong key from a missing robot", async () => {
-    const { relay, registration } = await robotIn(CORRIDOR);
+    const { relay, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const wrongKey = `${relay.url}/r/${registration.id}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
     await expect(RobotClient.connect(wrongKey)).rejects.toMatchObject({ code: "not-authorised" });
     const noRobot = `${relay.url}/r/AAAAAAAAAAAAAAAAAAAAAA#${registration.driverKey}`;
@@ -219,7 +222,7 @@ describe("the examples", () => {
     { name: "Python", program: "python3", file: "python/right_wall.py" },
     { name: "JavaScript", program: process.execPath, file: "javascript/right-wall.ts" },
   ])("the right-wall follower in $name visits every cell, without a bump", async (example) => {
-    const { robot, registration } = await robotIn(TREE);
+    const { robot, registration } = await robotIn(TREE, await sharedRelay());
     const cells = String(robot.openCells);
     const { stdout } = await run(example.program, [
       join(EXAMPLES, example.file),

@@ -14,16 +14,18 @@ import { NotInstallableError, requireEnvironment } from "../../../scripts/python
 import { BridgeProcess, MAIN } from "../../support/bridges/bridge-process.ts";
 import { corridorHost } from "../../support/mcp/corridor-host.ts";
 import { urlWithKey } from "../../support/ros/url-with-key.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 import { VipleClient } from "../../support/viple/viple-client.ts";
 
 const run = promisify(execFile);
 const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 const TIMEOUT_MS = 300_000;
 
+const sharedRelay = sharedRelayProcess();
+
 /** A robot, and a folder with the file of a quickstart. */
 async function prepare(id: QuickstartId) {
-  const { relay, page, registration } = await corridorHost(await startRelayProcess());
+  const { relay, page, registration } = await corridorHost(await sharedRelay());
   const urlKey = (await urlWithKey(relay.url, registration)).split("/").at(-1) ?? "";
   const { driverKey: key, ownerKey } = registration;
   const { file, text, client } = quickstarts[id];

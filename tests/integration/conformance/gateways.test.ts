@@ -13,7 +13,8 @@ import {
 import { openSimulatedPage } from "../../support/client/simulated-page.ts";
 import { gatewayFaults } from "../../support/conformance/gateway-faults.ts";
 import { openGatewayProxy, type GatewayFault } from "../../support/conformance/gateway-proxy.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import type { RelayProcess } from "../../support/relay-process.ts";
+import { sharedRelayProcess, startRelayProcess } from "../../support/test-relay-process.ts";
 
 const groups = Object.values(gatewayGroups);
 
@@ -27,19 +28,21 @@ const pen: MazeDocument = {
   goals: [{ column: 2, row: 1 }],
 };
 
+const sharedRelay = sharedRelayProcess();
+
 /** @returns the address of a simulated robot in the pen */
-async function robotInPen(options: Parameters<typeof startRelayProcess>[0] = {}) {
-  const relay = await startRelayProcess(options);
+async function robotInPen(relay: RelayProcess) {
   const registration = await registerRobot(relay.url, fetch);
   const robot = openSimulatedPage(relay.url, registration, pen);
   await expect.poll(() => robot.isConnected, { timeout: 10_000 }).toBe(true);
   const addressAt = (origin: string): string =>
     `${origin}/r/${registration.id}#${registration.driverKey}`;
-  return { relay, addressAt };
+  return addressAt;
 }
 
 async function behindProxy(fault: GatewayFault): Promise<string> {
-  const { relay, addressAt } = await robotInPen();
+  const relay = await sharedRelay();
+  const addressAt = await robotInPen(relay);
   const proxy = await openGatewayProxy(relay.url, fault);
   onTestFinished(proxy.close);
   return addressAt(proxy.origin);
@@ -50,7 +53,8 @@ const failed = (results: readonly Result[]): Result[] =>
 
 describe("the gateways of a relay", () => {
   it("pass all checks", { timeout: 120_000 }, async () => {
-    const { relay, addressAt } = await robotInPen();
+    const relay = await sharedRelay();
+    const addressAt = await robotInPen(relay);
     const results = await runChecks(addressAt(relay.url), { groups });
     expect(failed(results)).toEqual([]);
     expect(results).toHaveLength(groups.flatMap(({ checks }) => checks).length);
@@ -61,7 +65,8 @@ describe("the gateways of a relay", () => {
   });
 
   it("are reported as not offered if the operator has switched them off", async () => {
-    const { relay, addressAt } = await robotInPen({ environment: { GATEWAYS: "none" } });
+    const relay = await startRelayProcess({ environment: { GATEWAYS: "none" } });
+    const addressAt = await robotInPen(relay);
     const results = await runChecks(addressAt(relay.url), { groups });
     const features = results.map(({ outcome }) =>
       outcome.kind === "not offered" ? outcome.feature : outcome,

@@ -2,7 +2,6 @@ import { createdPairingSchema, pairingSchema, type Registration } from "@corrido
 import { onTestFinished } from "vitest";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
-import { startRelayProcess } from "../test-relay-process.ts";
 
 /** A robot at a real relay with a pairing code. */
 export interface RobotWithCode {
@@ -14,8 +13,11 @@ export interface RobotWithCode {
   answer: (accept: boolean) => Promise<void>;
 }
 
-export async function robotWithCode(maze: readonly string[]): Promise<RobotWithCode> {
-  const { url: origin } = await startRelayProcess();
+/** @param origin of its relay */
+export async function robotWithCode(
+  origin: string,
+  maze: readonly string[],
+): Promise<RobotWithCode> {
   const registration = await registerRobot(origin, fetch);
   const robot = new GridRobot(origin, registration, maze);
   onTestFinished(() => robot.link.close());

@@ -18,13 +18,16 @@ import { PEN, startPhysicalRobot } from "../../../support/conformance/physical-r
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
 import { mcpEnvironment } from "../../../support/mcp/python-mcp.ts";
 import { solve } from "../../../support/mcp/solve.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import type { RelayProcess } from "../../../support/relay-process.ts";
+import { sharedRelayProcess, startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const AGENT = fileURLToPath(new URL("../../../support/mcp/agent.py", import.meta.url));
 
-async function robotAtRelay() {
-  const host = await corridorHost(await startRelayProcess());
+const sharedRelay = sharedRelayProcess();
+
+async function robotAtRelay(own?: RelayProcess) {
+  const host = await corridorHost(own ?? (await sharedRelay()));
   const { id, driverKey } = host.registration;
   return { ...host, address: `${host.relay.url}/r/${id}#${driverKey}` };
 }
@@ -85,7 +88,7 @@ describe.each(eras)("an agent of the era %s by corridor mcp", (era) => {
 
 describe("corridor mcp", () => {
   it("drives on after the relay was killed", { timeout: 120_000 }, async () => {
-    const { relay, page, address } = await robotAtRelay();
+    const { relay, page, address } = await robotAtRelay(await startRelayProcess());
     const agent = await connectAgent(address, "2025");
     const act = { action: "move", distance: 100 };
     expect(await callTool(agent, "act", act)).toMatchObject({ isError: false });

@@ -5,7 +5,7 @@ import { MazeFrame } from "../../../../packages/mouse/src/maze-frame.ts";
 import { documentOf, mouseMazes } from "../../../../packages/mouse/src/testing/mouse-mazes.ts";
 import { BridgeProcess } from "../../../support/bridges/bridge-process.ts";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 
 const support = new URL("../../../support/mouse/", import.meta.url).pathname;
 const [maze] = mouseMazes.map((each) => documentOf(each));
@@ -23,8 +23,10 @@ function script(code: string): string[] {
   return [process.execPath, "-e", `${ask}(async () => { ${code} })()`];
 }
 
+const sharedRelay = sharedRelayProcess();
+
 async function robotInMaze() {
-  const host = await corridorHost(await startRelayProcess(), maze);
+  const host = await corridorHost(await sharedRelay(), maze);
   const { id, driverKey, ownerKey } = host.registration;
   const address = `${host.relay.url}/r/${id}#${driverKey}`;
   const start = (program: string[]): BridgeProcess =>

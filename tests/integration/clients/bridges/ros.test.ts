@@ -7,13 +7,16 @@ import { RosClient } from "../../../../apps/relay/src/testing/ros-client.ts";
 import { BridgeProcess } from "../../../support/bridges/bridge-process.ts";
 import { startFilterProxy } from "../../../support/client/start-filter-proxy.ts";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import type { RelayProcess } from "../../../support/relay-process.ts";
+import { sharedRelayProcess, startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const addressOf = (origin: string, { id, driverKey }: Registration): string =>
   `${origin}/r/${id}#${driverKey}`;
 
-async function bridgedRobot() {
-  const host = await corridorHost(await startRelayProcess());
+const sharedRelay = sharedRelayProcess();
+
+async function bridgedRobot(own?: RelayProcess) {
+  const host = await corridorHost(own ?? (await sharedRelay()));
   const address = addressOf(host.relay.url, host.registration);
   return { ...host, address, ...(await BridgeProcess.startRos(address)) };
 }
@@ -122,7 +125,7 @@ describe("corridor ros", () => {
   });
 
   it("keeps its clients while the relay restarts", { timeout: 120_000 }, async () => {
-    const { relay, url, page } = await bridgedRobot();
+    const { relay, url, page } = await bridgedRobot(await startRelayProcess());
     const client = await RosClient.open(url);
     client.send(goal("/move", { distance: 1 }));
     await client.next("op", "action_result");
@@ -133,7 +136,7 @@ describe("corridor ros", () => {
   });
 
   it("falls back to HTTPS behind a filter that blocks WebSockets", async () => {
-    const { relay, registration, page } = await corridorHost(await startRelayProcess());
+    const { relay, registration, page } = await corridorHost(await sharedRelay());
     const proxy = await startFilterProxy(relay.url, "blocked");
     const { url } = await BridgeProcess.startRos(addressOf(proxy.origin, registration));
     const client = await RosClient.open(url);

@@ -5,12 +5,13 @@ import { mazePresets } from "@corridor/maze";
 import { corridor, corridorHost } from "../../../support/mcp/corridor-host.ts";
 import { solve } from "../../../support/mcp/solve.ts";
 import { startCluster } from "../../../support/client/cluster.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
+
+const sharedRelay = sharedRelayProcess();
 
 describe.each(eras)("an agent of the era %s at a real relay", (era) => {
   it("solves a corridor with sense and act alone", async () => {
-    const relay = await startRelayProcess();
-    const { registration, url } = await corridorHost(relay);
+    const { registration, url } = await corridorHost(await sharedRelay());
     const agent = await connectAgent(url, registration.driverKey, era);
     const seen = await solve((name, args) => callTool(agent, name, args));
     expect(seen).toMatchObject({ goalReached: true, bumps: 0 });
@@ -19,8 +20,7 @@ describe.each(eras)("an agent of the era %s at a real relay", (era) => {
 
 describe("an agent", () => {
   it("moves the robot once, although the answer is lost and the call is repeated", async () => {
-    const relay = await startRelayProcess();
-    const { registration, page, url } = await corridorHost(relay);
+    const { registration, page, url } = await corridorHost(await sharedRelay());
     page.endsCommands = false;
     const act = { action: "move", distance: 100, key: "step-0001" };
     const lost = new AbortController();
@@ -50,9 +50,8 @@ describe("an agent", () => {
   });
 
   it("solves a maze that ships with the page", async () => {
-    const relay = await startRelayProcess();
     const preset = mazePresets.find(({ id }) => id === "tree")?.maze ?? corridor;
-    const { registration, url } = await corridorHost(relay, preset);
+    const { registration, url } = await corridorHost(await sharedRelay(), preset);
     const agent = await connectAgent(url, registration.driverKey, "2026-07-28");
     const seen = await solve((name, args) => callTool(agent, name, args));
     expect(seen).toMatchObject({ goalReached: true, bumps: 0 });

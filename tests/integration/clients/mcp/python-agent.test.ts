@@ -5,18 +5,20 @@ import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
 import { mcpEnvironment } from "../../../support/mcp/python-mcp.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
   fileURLToPath(new URL(`../../../support/mcp/${name}`, import.meta.url));
+
+const sharedRelay = sharedRelayProcess();
 
 describe("an agent in Python", () => {
   it.for(["auto", "legacy"])(
     "solves a corridor, and reads why a command is refused (%s)",
     { timeout: 300_000 },
     async (mode, { skip }) => {
-      const { relay, page, registration, url } = await corridorHost(await startRelayProcess());
+      const { relay, page, registration, url } = await corridorHost(await sharedRelay());
       const found = mcpEnvironment();
       if ("missing" in found) return skip(found.missing);
       const args = [support("agent.py"), mode, url, registration.driverKey];

@@ -3,7 +3,7 @@ import { Action, Ros, Service, Topic } from "roslib";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
 import { urlWithKey } from "../../../support/ros/url-with-key.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 
 interface Scan {
   ranges: number[];
@@ -16,8 +16,10 @@ interface MoveResult {
   y: number;
 }
 
+const sharedRelay = sharedRelayProcess();
+
 async function host() {
-  const { relay, registration, page } = await corridorHost(await startRelayProcess());
+  const { relay, registration, page } = await corridorHost(await sharedRelay());
   const url = `${relay.url.replace("http", "ws")}/r/${registration.id}/ros`;
   return { relay, registration, page, url };
 }

@@ -6,18 +6,20 @@ import { describe, expect, it } from "vitest";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
 import { roslibpyEnvironment } from "../../../support/ros/roslibpy.ts";
 import { urlWithKey } from "../../../support/ros/url-with-key.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
   fileURLToPath(new URL(`../../../support/ros/${name}`, import.meta.url));
+
+const sharedRelay = sharedRelayProcess();
 
 describe("roslibpy", () => {
   it.for(["twisted", "asyncio"])(
     "connects by each kind of key, reads, drives and resets (%s)",
     { timeout: 300_000 },
     async (transport, { skip }) => {
-      const { relay, page, registration } = await corridorHost(await startRelayProcess());
+      const { relay, page, registration } = await corridorHost(await sharedRelay());
       const found = roslibpyEnvironment();
       if ("missing" in found) return skip(found.missing);
       const withKey = await urlWithKey(relay.url, registration);

@@ -6,7 +6,7 @@ import { describe, expect, it } from "vitest";
 import { NotInstallableError, requireEnvironment } from "../../../../scripts/python.ts";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
 import { room } from "../../../support/soap/room.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
@@ -29,6 +29,8 @@ interface Record {
   state: string;
 }
 
+const sharedRelay = sharedRelayProcess();
+
 describe("zeep", () => {
   it.for([
     { wsdl: "?wsdl", sender: "soap:Client" },
@@ -37,7 +39,7 @@ describe("zeep", () => {
     "drives squares with a client generated from $wsdl, and reads typed faults",
     { timeout: 300_000 },
     async ({ wsdl, sender }, { skip }) => {
-      const { relay, page, registration } = await corridorHost(await startRelayProcess(), room);
+      const { relay, page, registration } = await corridorHost(await sharedRelay(), room);
       const other = await corridorHost(relay, room);
       const found = library();
       if ("missing" in found) return skip(found.missing);

@@ -8,7 +8,7 @@ import { sleep } from "../../../../e2e/faults/clock.ts";
 import { memoryMib } from "../../../../e2e/faults/memory.ts";
 import { BridgeProcess } from "../../../support/bridges/bridge-process.ts";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 import { VipleClient } from "../../../support/viple/viple-client.ts";
 
 const POLL = { timeout: 10_000 };
@@ -21,8 +21,10 @@ const RIGHT = { servos: [{ servoSpeed: 90, isTurn: true }] };
 const FIRST =
   '{"sensors":[{"name":"touch","id":0,"value":0},{"name":"distance","id":1,"value":50},{"name":"distance","id":2,"value":450}]}';
 
+const sharedRelay = sharedRelayProcess();
+
 async function robot() {
-  const host = await corridorHost(await startRelayProcess());
+  const host = await corridorHost(await sharedRelay());
   const { id, driverKey } = host.registration;
   return { ...host, address: `${host.relay.url}/r/${id}#${driverKey}` };
 }

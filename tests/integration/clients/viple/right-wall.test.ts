@@ -8,7 +8,7 @@ import { WebSocketServer } from "ws";
 import { registerRobot } from "../../../../packages/client/src/register-robot.ts";
 import { BridgeProcess } from "../../../support/bridges/bridge-process.ts";
 import { openSimulatedPage } from "../../../support/client/simulated-page.ts";
-import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { sharedRelayProcess } from "../../../support/test-relay-process.ts";
 import { VipleClient } from "../../../support/viple/viple-client.ts";
 import { WallFollower } from "../../../support/viple/wall-follower.ts";
 
@@ -27,8 +27,10 @@ const maze: MazeDocument = {
 /** To the goal. The fifth turn to the left is at the wall behind it. */
 const TURNS = { left: 5, right: 4 };
 
+const sharedRelay = sharedRelayProcess();
+
 async function robotInMaze() {
-  const relay = await startRelayProcess();
+  const relay = await sharedRelay();
   const registration = await registerRobot(relay.url, fetch);
   const page = openSimulatedPage(relay.url, registration, maze);
   await expect.poll(() => page.isConnected, POLL).toBe(true);
