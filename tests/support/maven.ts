@@ -2,6 +2,7 @@
 import { execFile } from "node:child_process";
 import { promisify, stripVTControlCharacters } from "node:util";
 import { inPath } from "../../scripts/programs.ts";
+import { shortRunOptions } from "./java.ts";
 
 const execute = promisify(execFile);
 
@@ -28,6 +29,7 @@ export async function runMaven(pom: string, properties: Record<string, string>):
   try {
     const goals = ["compile", "exec:java"];
     const { stdout } = await execute("mvn", [...options, ...goals, ...defined], {
+      env: { ...process.env, MAVEN_OPTS: shortRunOptions.join(" ") },
       maxBuffer: 2 ** 26,
     });
     return stripVTControlCharacters(stdout);

@@ -12,6 +12,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { startTruncatingProxy } from "../../support/client/truncating-proxy.ts";
 import { startForwardProxy } from "../../support/client/forward-proxy.ts";
+import { shortRunOptions } from "../../support/java.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 
@@ -46,7 +47,7 @@ const examples: readonly Example[] = [
   },
   {
     language: "Java",
-    command: ["java", join(EXAMPLES, "java/Robot.java")],
+    command: ["java", ...shortRunOptions, join(EXAMPLES, "java/Robot.java")],
     probe: ["-version"],
   },
   {

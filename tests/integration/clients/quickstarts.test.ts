@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "n
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { promisify, stripVTControlCharacters } from "node:util";
+import { promisify } from "node:util";
 import { scriptListSchema } from "@corridor/protocol";
 import { quickstarts, type QuickstartId } from "@corridor/quickstarts";
 import { Client, StreamableHTTPClientTransport } from "@modelcontextprotocol/client";
@@ -12,6 +12,7 @@ import { Ros, Topic } from "roslib";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
 import { BridgeProcess, MAIN } from "../../support/bridges/bridge-process.ts";
+import { runMaven, skipWithoutMaven } from "../../support/maven.ts";
 import { corridorHost } from "../../support/mcp/corridor-host.ts";
 import { urlWithKey } from "../../support/ros/url-with-key.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";
@@ -135,34 +136,23 @@ describe("the quickstart of", () => {
     await expectListed();
   });
 
-  it("SOAP in Java drives the robot", { timeout: 2 * TIMEOUT_MS }, async ({ skip }) => {
-    const missing = missingProgram(["java", "-version"], ["mvn", "-version"]);
-    if (missing !== null) return skip(missing);
-    const { relay, folder, actions, text, expectListed } = await prepare("soapJava");
-    expect(text).toContain(`wsdl2java -p robot "${relay.url}/soap?wsdl"`);
-    const pom = readFileSync(join(ROOT, "tests/support/soap/java/pom.xml"), "utf8")
-      .replace("<mainClass>Square<", "<mainClass>Drive<")
-      .replace("<build>", "<build><sourceDirectory>.</sourceDirectory>");
-    writeFileSync(join(folder, "pom.xml"), pom);
-    const target = mkdtempSync(join(tmpdir(), "corridor-cxf-"));
-    onTestFinished(() => rmSync(target, { recursive: true, force: true }));
-    const options = [`wsdl=${relay.url}/soap?wsdl`, `target=${target}`];
-    const defined = options.flatMap((option) => ["--define", option]);
-    const { stdout } = await run(
-      "mvn",
-      ["--quiet", "--batch-mode", "compile", "exec:java", ...defined],
-      { cwd: folder },
-    ).catch((error: unknown) => {
-      const output = error instanceof Error && "stdout" in error ? String(error.stdout) : "";
-      if (/Could not (?:resolve|transfer|find artifact)/.test(output)) return { stdout: null };
-      throw new Error(`${output}\n${relay.log}`);
-    });
-    if (stdout === null) return skip("Maven cannot download Apache CXF here");
-    const output = stripVTControlCharacters(stdout);
-    expect(output.slice(output.indexOf("front"))).toBe("front 450.0\nCOMPLETED\n");
-    expect(actions()).toEqual(["left 90"]);
-    await expectListed();
-  });
+  it("SOAP in Java drives the robot", { timeout: 2 * TIMEOUT_MS }, ({ skip }) =>
+    skipWithoutMaven(skip, async () => {
+      const { relay, folder, actions, text, expectListed } = await prepare("soapJava");
+      expect(text).toContain(`wsdl2java -p robot "${relay.url}/soap?wsdl"`);
+      const pom = readFileSync(join(ROOT, "tests/support/soap/java/pom.xml"), "utf8")
+        .replace("<mainClass>Square<", "<mainClass>Drive<")
+        .replace("<build>", "<build><sourceDirectory>.</sourceDirectory>");
+      writeFileSync(join(folder, "pom.xml"), pom);
+      const target = mkdtempSync(join(tmpdir(), "corridor-cxf-"));
+      onTestFinished(() => rmSync(target, { recursive: true, force: true }));
+      const wsdl = `${relay.url}/soap?wsdl`;
+      const output = await runMaven(join(folder, "pom.xml"), { wsdl, target });
+      expect(output.slice(output.indexOf("front"))).toBe("front 450.0\nCOMPLETED\n");
+      expect(actions()).toEqual(["left 90"]);
+      await expectListed();
+    }),
+  );
 
   it("a generated client drives the robot", { timeout: TIMEOUT_MS }, async ({ skip }) => {
     const found = python("openapi-python-client", "tests/support/openapi/requirements.txt", 11);

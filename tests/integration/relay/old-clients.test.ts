@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
 import { startTestRelay } from "../../../apps/relay/src/testing/test-relay.ts";
+import { shortRunOptions } from "../../support/java.ts";
 
 const run = promisify(execFile);
 
@@ -27,7 +28,7 @@ describe("clients that offer Upgrade: h2c", () => {
     const robot = await relay.register();
     const program = join(import.meta.dirname, "OldClient.java");
     const api = `${relay.origin}/api/v1/robots/${robot.id}`;
-    const { stdout } = await run("java", [program, api, robot.driverKey]);
+    const { stdout } = await run("java", [...shortRunOptions, program, api, robot.driverKey]);
     const [status, welcome] = stdout.trim().split("\n");
     expect(status).toBe("202");
     expect(JSON.parse(welcome ?? "")).toMatchObject({

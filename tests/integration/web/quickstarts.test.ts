@@ -8,6 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { quickstarts } from "@corridor/quickstarts";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { shortRunOptions } from "../../support/java.ts";
 
 const KEY = "d_test-key";
 const languages = ["plainPython", "javascript", "java", "csharp", "go", "curl"] as const;
@@ -16,7 +17,7 @@ type Language = (typeof languages)[number];
 const programs = {
   plainPython: ["python3", "drive.py"],
   javascript: [process.execPath, "drive.mjs"],
-  java: ["java", "Robot.java"],
+  java: ["java", ...shortRunOptions, "Robot.java"],
   // Mono stands in for .NET.
   csharp: ["sh", "-c", "mcs -r:System.Net.Http Robot.cs && exec mono Robot.exe"],
   go: ["sh", "-c", "go build -o drive drive.go && exec ./drive"],

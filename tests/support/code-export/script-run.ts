@@ -6,6 +6,7 @@ import { createInterface } from "node:readline";
 import { promisify } from "node:util";
 import type { CodeLanguage } from "@corridor/program";
 import { inPath } from "../../../scripts/programs.ts";
+import { compilerOptions, shortRunOptions } from "../java.ts";
 
 /** Decisions of a script after which it is ended: some programs have no end. */
 export const DECISIONS = 16;
@@ -27,8 +28,8 @@ export const runtimes: Record<CodeLanguage, Runtime> = {
   java: {
     needs: ["javac", "java"],
     start: async (file) => {
-      await compile("javac", ["-d", dirname(file), file]);
-      return ["java", "-XX:TieredStopAtLevel=1", "-cp", dirname(file), "Rules"];
+      await compile("javac", [...compilerOptions, "-d", dirname(file), file]);
+      return ["java", ...shortRunOptions, "-cp", dirname(file), "Rules"];
     },
   },
   csharp: {

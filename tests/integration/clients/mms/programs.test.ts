@@ -11,6 +11,7 @@ import {
 import { ManualTimers } from "@corridor/protocol/testing";
 import { SimulatedPort } from "../../../../packages/mouse/src/testing/simulated-port.ts";
 import { MouseSession } from "../../../../packages/mouse/src/mouse-session.ts";
+import { compilerOptions, shortRunOptions } from "../../../support/java.ts";
 import { runProgram } from "../../../support/mouse/run-program.ts";
 
 const support = new URL("../../../support/mouse/", import.meta.url).pathname;
@@ -39,8 +40,8 @@ const programs: { name: string; start: () => Start }[] = [
     name: "Java: flood fill",
     start: () =>
       built("javac", (to) => [
-        ["-d", to, `${support}FloodFill.java`],
-        ["java", "-cp", to, "FloodFill"],
+        [...compilerOptions, "-d", to, `${support}FloodFill.java`],
+        ["java", ...shortRunOptions, "-cp", to, "FloodFill"],
       ]),
   },
 ];

@@ -18,6 +18,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "../../../../packages/client/src/register-robot.ts";
 import { NotInstallableError, requireEnvironment } from "../../../../scripts/python.ts";
 import { openSimulatedPage } from "../../../support/client/simulated-page.ts";
+import { compilerOptions } from "../../../support/java.ts";
 import { runMaven, skipWithoutMaven } from "../../../support/maven.ts";
 import { corridor } from "../../../support/mcp/corridor-host.ts";
 import { startRelayProcess } from "../../../support/test-relay-process.ts";
@@ -200,7 +201,13 @@ export const until: components["schemas"]["UntilCondition"] = { sensor: "front",
         await expectOneMotion(output.split("\n").find((line) => line.startsWith("{")) ?? "");
 
         const wrong = join(SUPPORT, "java/Wrong.java");
-        const classes = ["-classpath", join(folder, "classes"), "-d", join(folder, "wrong")];
+        const classes = [
+          ...compilerOptions,
+          "-classpath",
+          join(folder, "classes"),
+          "-d",
+          join(folder, "wrong"),
+        ];
         const compiled = await run("javac", [...classes, wrong], { cwd: folder });
         const errors = compiled.output.split("\n").filter((line) => line.includes("error:"));
         expect(errors).toEqual([
