@@ -18,15 +18,18 @@ describe("spelling", () => {
     });
   });
 
-  // cspell:disable
-  it.each([
-    { text: "// The line mends itself.\n", word: "mends" },
-    { text: "export function tellReader() {}\n", word: "tell" },
-    { text: "// Recieves a snapshot.\n", word: "Recieves" },
+  it("rejects words of the glossary in comments and names, and typing errors", () => {
+    // cspell:disable
+    const planted = [
+      { text: "// The line mends itself.", word: "mends" },
+      { text: "export function tellReader() {}", word: "tell" },
+      { text: "// Recieves a snapshot.", word: "Recieves" },
+    ];
     // cspell:enable
-  ])("rejects $word", ({ text, word }) => {
-    const { isAccepted, findings } = check(text);
+    const { isAccepted, findings } = check(planted.map(({ text }) => `${text}\n`).join(""));
     expect(isAccepted).toBe(false);
-    expect(findings).toContain(word);
+    for (const [index, { word }] of planted.entries()) {
+      expect(findings).toMatch(new RegExp(`planted\\.ts:${index + 1}:.*\\b${word}\\b`));
+    }
   });
 });
