@@ -6,9 +6,10 @@
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
-import { clearStorageOnLoad } from "./support/clear-storage.ts";
+import { chooseLanguage } from "./support/choose-language.ts";
 import { unreadableTexts } from "./support/layout.ts";
 import { languageTags, Texts } from "./support/texts.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 // Texts and layouts are the same without motion, and no test waits for an animation.
 test.use({ contextOptions: { reducedMotion: "reduce" } });
@@ -21,7 +22,7 @@ const sizes = [
 const tags = languageTags();
 
 for (const size of sizes) {
-  // Languages share a window: the browser compiles the page once for all of them.
+  // Languages share a page, in which the language changes.
   for (const group of [tags.slice(0, 4), tags.slice(4)]) {
     test(`shows readable texts during use in ${group.join(", ")} at ${size.width} x ${size.height}`, async ({
       openWindow,
@@ -35,9 +36,11 @@ for (const size of sizes) {
         serviceWorkers: "block",
         reducedMotion: "reduce",
       });
-      await clearStorageOnLoad(page);
       const faults: string[] = [];
-      for (const tag of group) {
+      for (const [at, tag] of group.entries()) {
+        const shown = group[at - 1];
+        if (shown === undefined) await page.goto(`/?lang=${tag}`);
+        else await chooseLanguage(page, Texts.load(shown), tag);
         const found = await faultsDuringUse(page, tag, isPhone);
         faults.push(...found.map((fault) => `${tag}: ${fault}`));
       }
@@ -46,7 +49,10 @@ for (const size of sizes) {
   }
 }
 
-/** Bumps, solves the maze and opens what appears during use. @returns the texts that cannot be read */
+/**
+ * Bumps, solves the maze, opens what appears during use, and leaves the page as at the beginning.
+ * @returns the texts that cannot be read
+ */
 async function faultsDuringUse(page: Page, tag: string, isPhone: boolean): Promise<string[]> {
   const texts = Texts.load(tag);
   const faults: string[] = [];
@@ -60,8 +66,7 @@ async function faultsDuringUse(page: Page, tag: string, isPhone: boolean): Promi
   const card = page.locator("[data-card]");
   const direction = tag === "ar" ? "rtl" : "ltr";
 
-  await page.goto(`/?lang=${tag}`);
-  await expect(page.getByRole("grid")).toBeVisible();
+  await page.getByRole("grid").waitFor();
   const action = page.getByRole("combobox", { name: texts.t("program.actionOf", { line: 2 }) });
   await page.getByRole("combobox", { name: texts.t("shell.run.speed") }).selectOption("max");
   await action.selectOption("delayed left 90");
@@ -119,53 +124,67 @@ async function faultsDuringUse(page: Page, tag: string, isPhone: boolean): Promi
   await expect(mission).toContainText(texts.t("missions.missions.farthest-distance.task"));
   await mission.getByRole("button", { name: texts.t("missions.card.hint") }).click();
   await checkTexts("mission");
+  await mission.getByRole("button", { name: texts.t("missions.card.own") }).click();
+  await mission.waitFor({ state: "detached" });
+  await page.getByRole("radio", { name: texts.t("stage.tool.blocks"), exact: true }).click();
+  await button("shell.run.reset").click();
   return faults;
 }
 
-for (const { tag, dir } of [
-  { tag: "en", dir: 1 },
-  { tag: "ar", dir: -1 },
-]) {
-  test(`writes a comparison in reading direction in ${tag}, and a minus sign before the digits`, async ({
-    openWindow,
-  }) => {
-    const { page } = await openWindow();
-    const texts = Texts.load(tag);
-    await page.goto(`/?lang=${tag}`);
-    const [left, right] = ["left", "right"].map((side) => texts.t(`program.sensor.${side}`));
-    const condition = page.getByRole("combobox", {
-      name: texts.t("program.conditionOf", { line: 1 }),
-    });
-    await condition.selectOption({ label: `${left} > ${right} +` });
-    const number = page.getByRole("textbox", { name: texts.t("program.numberOf", { line: 1 }) });
-    await number.fill("-20");
+test("writes a comparison in reading direction in English and Arabic, and a minus sign before the digits", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow(smallWindow);
+  const english = Texts.load("en");
+  await page.goto("/?lang=en");
+  await page
+    .getByRole("combobox", { name: english.t("program.conditionOf", { line: 1 }) })
+    .selectOption({ label: comparisonIn(english) });
+  await page.getByRole("textbox", { name: english.t("program.numberOf", { line: 1 }) }).fill("-20");
+  await expectReadingDirection(page, english, 1);
+  await chooseLanguage(page, english, "ar");
+  await expectReadingDirection(page, Texts.load("ar"), -1);
+});
 
-    const line = page.getByRole("listitem").filter({ has: number });
-    // 50 cm on the left and on the right: the condition compares 50 with 30.
-    await expect(line).toContainText(/50\s*> 30/);
-    const readingOrder = async () => {
-      const tokens = await line.evaluate((item) => {
-        const centreOf = (rect: DOMRect): number => rect.left + rect.width / 2;
-        const walker = document.createTreeWalker(item, NodeFilter.SHOW_TEXT);
-        const found: { text: string; at: number }[] = [];
-        for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
-          for (const { index, 0: text } of (node.textContent ?? "").matchAll(/[<>]|\d+/g)) {
-            const range = document.createRange();
-            range.setStart(node, index);
-            range.setEnd(node, index + text.length);
-            const rect = range.getBoundingClientRect();
-            if (rect.width > 0) found.push({ text, at: centreOf(rect) });
-          }
-        }
-        return found;
-      });
-      const truth = tokens.filter(({ text }) => ["50", ">", "30"].includes(text)).slice(-3);
-      return truth.toSorted((one, other) => (one.at - other.at) * dir).map(({ text }) => text);
-    };
-    // The fallback font is wider until the web font has loaded.
-    await expect.poll(readingOrder).toEqual(["50", ">", "30"]);
-    const [conditionBox, numberBox] = [await condition.boundingBox(), await number.boundingBox()];
-    expect(((numberBox?.x ?? 0) - (conditionBox?.x ?? 0)) * dir).toBeGreaterThan(0);
-    await expect(number).toHaveCSS("direction", "ltr");
+function comparisonIn(texts: Texts): string {
+  return `${texts.t("program.sensor.left")} > ${texts.t("program.sensor.right")} +`;
+}
+
+/**
+ * Expects line 1 to compare 50 with 30, from its start to its end.
+ * @param dir 1 from left to right, -1 from right to left
+ */
+async function expectReadingDirection(page: Page, texts: Texts, dir: 1 | -1): Promise<void> {
+  const condition = page.getByRole("combobox", {
+    name: texts.t("program.conditionOf", { line: 1 }),
   });
+  await expect(condition.locator("option:checked")).toHaveText(comparisonIn(texts));
+  const number = page.getByRole("textbox", { name: texts.t("program.numberOf", { line: 1 }) });
+  const line = page.getByRole("listitem").filter({ has: number });
+  // 50 cm on the left and on the right: the condition compares 50 with 30.
+  await expect(line).toContainText(/50\s*> 30/);
+  const readingOrder = async () => {
+    const tokens = await line.evaluate((item) => {
+      const centreOf = (rect: DOMRect): number => rect.left + rect.width / 2;
+      const walker = document.createTreeWalker(item, NodeFilter.SHOW_TEXT);
+      const found: { text: string; at: number }[] = [];
+      for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+        for (const { index, 0: text } of (node.textContent ?? "").matchAll(/[<>]|\d+/g)) {
+          const range = document.createRange();
+          range.setStart(node, index);
+          range.setEnd(node, index + text.length);
+          const rect = range.getBoundingClientRect();
+          if (rect.width > 0) found.push({ text, at: centreOf(rect) });
+        }
+      }
+      return found;
+    });
+    const truth = tokens.filter(({ text }) => ["50", ">", "30"].includes(text)).slice(-3);
+    return truth.toSorted((one, other) => (one.at - other.at) * dir).map(({ text }) => text);
+  };
+  // The fallback font is wider until the web font has loaded.
+  await expect.poll(readingOrder).toEqual(["50", ">", "30"]);
+  const [conditionBox, numberBox] = [await condition.boundingBox(), await number.boundingBox()];
+  expect(((numberBox?.x ?? 0) - (conditionBox?.x ?? 0)) * dir).toBeGreaterThan(0);
+  await expect(number).toHaveCSS("direction", "ltr");
 }
