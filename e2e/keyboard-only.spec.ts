@@ -2,6 +2,9 @@
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { KeyboardUser } from "./support/keyboard-user.ts";
+import { wideWindow } from "./support/window-sizes.ts";
+
+test.use(wideWindow);
 
 test("builds, programs, runs, bumps, fixes, goes back in time, solves and shares by keyboard alone", async ({
   corridor,
@@ -49,6 +52,7 @@ test("builds, programs, runs, bumps, fixes, goes back in time, solves and shares
   await user.type(program.number(1), "60");
   await user.choose(program.action(1), "delayed left 90");
   await user.press(corridor.reset);
+  await user.choose(corridor.speed, "max");
   await user.key("Control+Enter");
 
   // The bump card explains the bump and fixes the line.
@@ -84,105 +88,107 @@ test("builds, programs, runs, bumps, fixes, goes back in time, solves and shares
   await expect(corridor.share).toBeFocused();
 });
 
-test("opens a mission and solves it by keyboard alone", async ({ corridor, page }) => {
-  test.slow();
-  const user = new KeyboardUser(page);
-  const lessons = new LessonsPanel(page);
-  await user.press(page.getByRole("banner").getByRole("button", { name: "Lessons" }));
-  await user.press(lessons.path.getByRole("button", { name: /^3\. / }));
-  await lessons.expectMission(3);
-  await user.expectFocus();
-  await user.press(lessons.button("Show a hint"));
-  await expect(lessons.hints).toHaveCount(1);
-  await user.choose(corridor.program.action(1), "turn 180");
-  await user.choose(corridor.speed, "16×");
-  await user.key("Control+Enter");
-  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
-  const solved = page.getByRole("region", { name: "Solved!" });
-  await user.press(solved.getByRole("button", { name: "Next mission" }));
-  await lessons.expectMission(4);
-  await user.expectFocus();
-  await user.press(lessons.button("Back to my maze"));
-  await expect(lessons.card).toBeHidden();
-  await user.expectFocus();
-});
-
-test("keeps the focus when the focused control is removed or disabled", async ({
+test("stops the robot, keeps the focus, cycles through dialogs and solves a mission by keyboard alone", async ({
   corridor,
   page,
 }) => {
   test.slow();
   const user = new KeyboardUser(page);
   const { timeline } = corridor;
-  // An invitation that is dismissed.
-  await user.press(page.getByRole("button", { name: "Not now" }));
-  await user.expectFocusVisible();
-  // Undo becomes disabled after its last use.
-  await user.tabTo(corridor.maze.cursor);
-  await user.key("ArrowRight", "Space");
-  await user.press(corridor.maze.button("Undo"));
-  await expect(corridor.maze.button("Undo")).toBeDisabled();
-  await user.expectFocusVisible();
-  // A message is dismissed.
-  await user.tabTo(corridor.program.line(2));
-  await user.key("Delete");
-  await user.press(corridor.messages.getByRole("button", { name: "Dismiss" }));
-  await user.expectFocusVisible();
-  // "Back to now" is removed with the past.
-  await user.press(corridor.step);
-  await expect(corridor.run).toBeVisible();
-  await user.press(timeline.previousDecision);
-  await user.press(timeline.backToNow);
-  await expect(timeline.backToNow).toBeHidden();
-  await user.expectFocusVisible();
-  await expect(corridor.transport.locator(":focus")).toHaveCount(1);
-});
 
-test("cycles through a dialog with Tab, and returns the focus to its button", async ({
-  corridor,
-  page,
-}) => {
-  test.slow();
-  const user = new KeyboardUser(page);
-  for (const [button, title] of [
-    [corridor.share, "Share this maze"],
-    [page.getByRole("button", { name: "Keyboard shortcuts" }), "Keyboard shortcuts"],
-    [corridor.maze.button("Resize"), "Resize the maze"],
-    [corridor.maze.button("Clear maze"), "Clear this maze?"],
-    [page.getByRole("banner").getByRole("button", { name: "Lessons" }), "Lessons"],
-  ] as const) {
-    await user.press(button);
-    const dialog = corridor.dialog(title);
-    await expect(dialog).toBeVisible();
-    for (let stop = 0; stop < 40; stop++) {
+  await test.step("closes what is open with Escape, and otherwise stops the robot", async () => {
+    await user.press(corridor.run);
+    await expect(corridor.pause).toBeVisible();
+    await user.key("Shift+?");
+    const list = corridor.dialog("Keyboard shortcuts");
+    await expect(list).toBeVisible();
+    await user.key("Escape");
+    await expect(list).toBeHidden();
+    await expect(corridor.pause).toBeVisible();
+    await user.key("Escape");
+    await expect(corridor.run).toBeVisible();
+    await user.press(corridor.reset);
+    await expect(corridor.clock).toHaveText("Time 0:00.0");
+  });
+
+  await test.step("keeps the focus when the focused control is removed or disabled", async () => {
+    // An invitation that is dismissed.
+    await user.press(page.getByRole("button", { name: "Not now" }));
+    await user.expectFocusVisible();
+    // Undo becomes disabled after its last use.
+    await user.tabTo(corridor.maze.cursor);
+    await user.key("ArrowRight", "Space");
+    await user.press(corridor.maze.button("Undo"));
+    await expect(corridor.maze.button("Undo")).toBeDisabled();
+    await user.expectFocusVisible();
+    // A message is dismissed.
+    await user.tabTo(corridor.program.line(2));
+    await user.key("Delete");
+    await user.press(corridor.messages.getByRole("button", { name: "Dismiss" }));
+    await user.expectFocusVisible();
+    // "Back to now" is removed with the past.
+    await user.press(corridor.step);
+    await expect(corridor.run).toBeVisible();
+    await user.press(timeline.previousDecision);
+    await user.press(timeline.backToNow);
+    await expect(timeline.backToNow).toBeHidden();
+    await user.expectFocusVisible();
+    await expect(corridor.transport.locator(":focus")).toHaveCount(1);
+  });
+
+  await test.step("cycles through a dialog with Tab, and returns the focus to its button", async () => {
+    for (const [button, title] of [
+      [corridor.share, "Share this maze"],
+      [page.getByRole("button", { name: "Keyboard shortcuts" }), "Keyboard shortcuts"],
+      [corridor.maze.button("Resize"), "Resize the maze"],
+      [corridor.maze.button("Clear maze"), "Clear this maze?"],
+      [page.getByRole("banner").getByRole("button", { name: "Lessons" }), "Lessons"],
+    ] as const) {
+      await user.press(button);
+      const dialog = corridor.dialog(title);
+      await expect(dialog).toBeVisible();
       await page.keyboard.press("Tab");
-      // After the last control, Tab moves to the browser's own controls and then into the dialog
-      // again.
-      const isOut = await dialog.evaluate(
-        (element) =>
-          document.activeElement !== document.body && !element.contains(document.activeElement),
-      );
-      expect(isOut, `${title}: out of the dialog after ${stop + 1} presses`).toBe(false);
+      const first = await page.evaluateHandle(() => document.activeElement);
+      let isCycle = false;
+      for (let stop = 1; stop <= 40 && !isCycle; stop++) {
+        await page.keyboard.press("Tab");
+        // After the last control, Tab moves to the browser's own controls and then into the dialog
+        // again.
+        const focus = await dialog.evaluate((element, start) => {
+          const focused = document.activeElement;
+          return {
+            isOut: focused !== document.body && !element.contains(focused),
+            isFirst: focused === start,
+          };
+        }, first);
+        expect(focus.isOut, `${title}: out of the dialog after ${stop + 1} presses`).toBe(false);
+        isCycle = focus.isFirst;
+      }
+      expect(isCycle, `${title}: Tab returns to its first control`).toBe(true);
+      await page.keyboard.press("Escape");
+      await expect(dialog).toBeHidden();
+      await expect(button).toBeFocused();
     }
-    await page.keyboard.press("Escape");
-    await expect(dialog).toBeHidden();
-    await expect(button).toBeFocused();
-  }
-});
+  });
 
-test("closes what is open with Escape, and otherwise stops the robot", async ({
-  corridor,
-  page,
-}) => {
-  const user = new KeyboardUser(page);
-  await user.press(corridor.run);
-  await expect(corridor.pause).toBeVisible();
-  await user.key("Shift+?");
-  const list = corridor.dialog("Keyboard shortcuts");
-  await expect(list).toBeVisible();
-  await user.key("Escape");
-  await expect(list).toBeHidden();
-  await expect(corridor.pause).toBeVisible();
-  await user.key("Escape");
-  await expect(corridor.run).toBeVisible();
+  await test.step("opens a mission and solves it", async () => {
+    const lessons = new LessonsPanel(page);
+    await user.press(page.getByRole("banner").getByRole("button", { name: "Lessons" }));
+    await user.press(lessons.path.getByRole("button", { name: /^3\. / }));
+    await lessons.expectMission(3);
+    await user.expectFocus();
+    await user.press(lessons.button("Show a hint"));
+    await expect(lessons.hints).toHaveCount(1);
+    await user.choose(corridor.program.action(1), "turn 180");
+    await user.choose(corridor.speed, "16×");
+    await user.key("Control+Enter");
+    await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
+    const solved = page.getByRole("region", { name: "Solved!" });
+    await user.press(solved.getByRole("button", { name: "Next mission" }));
+    await lessons.expectMission(4);
+    await user.expectFocus();
+    await user.press(lessons.button("Back to my maze"));
+    await expect(lessons.card).toBeHidden();
+    await user.expectFocus();
+  });
 });
