@@ -40,24 +40,27 @@ export function onlyRule(rule: string): RunOptions {
 }
 
 /**
+ * Begins with the theme of the page, in which the last state ended: a new theme costs a repaint.
  * Checks colours only in a modal dialog while one is open: nobody can use the page behind it, whose
  * colours do not change, and colours are the most expensive rule.
  * @param state names the state in the report
  */
 export async function expectNoAxeViolations(page: Page, state: string): Promise<void> {
-  await setTheme(page, "light");
+  const isDark = (await page.locator("html").getAttribute("data-theme")) === "dark";
+  const [first, second] = isDark ? (["dark", "light"] as const) : (["light", "dark"] as const);
+  await setTheme(page, first);
   const isModal = (await page.locator(modal).count()) > 0;
   const inDialog: PageParts = isModal ? { include: [modal], exclude: [] } : wholePage;
-  const light = isModal
+  const found = isModal
     ? [
         ...(await describeViolations(page, allButColours)),
         ...(await describeViolations(page, onlyColours, inDialog)),
       ]
     : await describeViolations(page, allRules);
-  expect(light, `axe, ${state}, light`).toEqual([]);
-  await setTheme(page, "dark");
-  const dark = await describeViolations(page, onlyColours, inDialog);
-  expect(dark, `axe, ${state}, dark`).toEqual([]);
+  expect(found, `axe, ${state}, ${first}`).toEqual([]);
+  await setTheme(page, second);
+  const colours = await describeViolations(page, onlyColours, inDialog);
+  expect(colours, `axe, ${state}, ${second}`).toEqual([]);
 }
 
 /**
