@@ -7,12 +7,25 @@ import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { allButColours, axeViolations, onlyColours, type PageParts } from "./support/axe.ts";
 
-test("executes the calls that the documentation shows", async ({ page, relay }) => {
+test("executes the calls that the documentation shows, in a console as dark as the page", async ({
+  page,
+  relay,
+}) => {
   const hosts = new Set<string>();
   page.on("request", (request) => hosts.add(new URL(request.url()).host));
+  await page.emulateMedia({ colorScheme: "dark" });
   await page.goto("/docs");
   await page.getByRole("link", { name: "API console" }).click();
   const health = page.locator("#operations-Service-checkHealth");
+  const block = health.locator(".opblock-summary-description");
+  await expect(block).toBeVisible();
+  const [ink, paper] = await block.evaluate((words) => [
+    getComputedStyle(words).color,
+    getComputedStyle(words.closest("#console") ?? words).backgroundColor,
+  ]);
+  const light = (colour = ""): number => Number(/\d+/.exec(colour)?.[0]);
+  expect(light(ink)).toBeGreaterThan(150);
+  expect(light(paper)).toBeLessThan(60);
   await health
     .getByRole("button", { name: /healthz/ })
     .first()
@@ -22,70 +35,56 @@ test("executes the calls that the documentation shows", async ({ page, relay }) 
   expect([...hosts]).toEqual([new URL(relay).host]);
 });
 
-test("links from the top of a long page to its sections", async ({ page }) => {
-  await page.goto("/docs/commands");
-  const contents = page.getByRole("navigation", { name: "On this page" });
-  await contents.getByRole("link", { name: "Deadline" }).click();
-  await expect(page.getByRole("heading", { name: "Deadline" })).toBeInViewport();
-  await expect(contents).not.toBeInViewport();
-});
-
-test("reaches the last page from the row of links on a phone, with the links wide enough to tap", async ({
+test("links to sections and pages, copies a script and stores the language of scripts", async ({
   page,
 }) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  await page.goto("/docs");
-  const pages = page.getByRole("navigation", { name: "Documentation" }).getByRole("link");
-  for (const link of await pages.all()) {
-    expect((await link.boundingBox())?.width).toBeGreaterThanOrEqual(44);
-  }
-  await pages.last().click();
-  await expect(page).toHaveURL(/maze-format$/);
-  await expect(page.getByRole("link", { name: "File formats" })).toBeInViewport({ ratio: 1 });
-});
+  await test.step("a language counts for every block of every page, and the block stays in place", async () => {
+    await page.goto("/docs");
+    await page.getByRole("radio", { name: "curl" }).check();
+    await page.goto("/docs/recipes");
+    const maze = page.getByRole("group", { name: "Language for the maze" });
+    await expect(maze.getByRole("radio", { name: "curl" })).toBeChecked();
+    await maze.scrollIntoViewIfNeeded();
+    const before = (await maze.boundingBox())?.y;
+    await maze.getByText("JavaScript", { exact: true }).click();
+    expect((await maze.boundingBox())?.y).toBeCloseTo(before ?? Number.NaN, 0);
+    const follower = page.getByRole("group", { name: "Language of the wall follower" });
+    await expect(follower.getByRole("radio", { name: "JavaScript" })).toBeChecked();
+    // The quickstart has one more language. A page that does not offer it ignores the choice.
+    await page.goto("/docs");
+    await page.getByRole("radio", { name: "Java", exact: true }).check();
+    await page.goto("/docs/recipes");
+    await expect(follower.getByRole("radio", { name: "Python" })).toBeChecked();
+  });
 
-test("copies a complete script", async ({ page }) => {
-  await page.goto("/docs");
-  const panel = page.getByRole("group", { name: "Python" });
-  await panel.getByRole("button", { name: "Copy" }).click();
-  await expect(panel.getByRole("status")).toHaveText("Copied");
-  const script = await page.evaluate(() => navigator.clipboard.readText());
-  expect(script).toMatch(/^from corridor import Robot\n[^]*front\)\)\s*$/);
-});
+  await test.step("links from the top of a long page to its sections", async () => {
+    await page.goto("/docs/commands");
+    const contents = page.getByRole("navigation", { name: "On this page" });
+    await contents.getByRole("link", { name: "Deadline" }).click();
+    await expect(page.getByRole("heading", { name: "Deadline" })).toBeInViewport();
+    await expect(contents).not.toBeInViewport();
+  });
 
-test("a language counts for every block of every page, and the block stays in place", async ({
-  page,
-}) => {
-  await page.goto("/docs");
-  await page.getByRole("radio", { name: "curl" }).check();
-  await page.goto("/docs/recipes");
-  const maze = page.getByRole("group", { name: "Language for the maze" });
-  await expect(maze.getByRole("radio", { name: "curl" })).toBeChecked();
-  await maze.scrollIntoViewIfNeeded();
-  const before = (await maze.boundingBox())?.y;
-  await maze.getByText("JavaScript", { exact: true }).click();
-  expect((await maze.boundingBox())?.y).toBeCloseTo(before ?? Number.NaN, 0);
-  const follower = page.getByRole("group", { name: "Language of the wall follower" });
-  await expect(follower.getByRole("radio", { name: "JavaScript" })).toBeChecked();
-  // The quickstart has one more language. A page that does not offer it ignores the choice.
-  await page.goto("/docs");
-  await page.getByRole("radio", { name: "Java", exact: true }).check();
-  await page.goto("/docs/recipes");
-  await expect(follower.getByRole("radio", { name: "Python" })).toBeChecked();
-});
+  await test.step("copies a complete script", async () => {
+    await page.goto("/docs");
+    await page.getByRole("radio", { name: "Python", exact: true }).check();
+    const panel = page.getByRole("group", { name: "Python" });
+    await panel.getByRole("button", { name: "Copy" }).click();
+    await expect(panel.getByRole("status")).toHaveText("Copied");
+    const script = await page.evaluate(() => navigator.clipboard.readText());
+    expect(script).toMatch(/^from corridor import Robot\n[^]*front\)\)\s*$/);
+  });
 
-test("the console is dark where the page is", async ({ page }) => {
-  await page.emulateMedia({ colorScheme: "dark" });
-  await page.goto("/docs/try");
-  const block = page.locator("#operations-Service-checkHealth .opblock-summary-description");
-  await expect(block).toBeVisible();
-  const [ink, paper] = await block.evaluate((words) => [
-    getComputedStyle(words).color,
-    getComputedStyle(words.closest("#console") ?? words).backgroundColor,
-  ]);
-  const light = (colour = ""): number => Number(/\d+/.exec(colour)?.[0]);
-  expect(light(ink)).toBeGreaterThan(150);
-  expect(light(paper)).toBeLessThan(60);
+  await test.step("reaches the last page from the row of links on a phone, with the links wide enough to tap", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const pages = page.getByRole("navigation", { name: "Documentation" }).getByRole("link");
+    for (const link of await pages.all()) {
+      expect((await link.boundingBox())?.width).toBeGreaterThanOrEqual(44);
+    }
+    await pages.last().click();
+    await expect(page).toHaveURL(/maze-format$/);
+    await expect(page.getByRole("link", { name: "File formats" })).toBeInViewport({ ratio: 1 });
+  });
 });
 
 test("shows one language at a time, by keyboard and without JavaScript", async ({
