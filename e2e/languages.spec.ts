@@ -6,13 +6,13 @@
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
-import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { unreadableTexts } from "./support/layout.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
-import { clearStorageOnLoad } from "./support/clear-storage.ts";
+import { chooseLanguage } from "./support/choose-language.ts";
 import { languageTags, Texts } from "./support/texts.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 // Texts and layouts are the same without motion, and no test waits for an animation.
 test.use({ contextOptions: { reducedMotion: "reduce" } });
@@ -24,8 +24,11 @@ const pseudolocale = {
   texts: Texts.pseudolocale(),
 };
 
-/** Languages that share a window: the browser compiles the page once for all of them. */
-const groups = [[pseudolocale], languages.slice(0, 4), languages.slice(4)];
+/** Languages that share a page. The pseudolocale is loaded instead of German. */
+const groups = [
+  [pseudolocale, ...languages.filter(({ tag }) => ["en", "ar", "es"].includes(tag))],
+  languages.filter(({ tag }) => !["en", "ar", "es"].includes(tag)),
+];
 
 const devices = [
   {
@@ -52,16 +55,16 @@ for (const group of groups) {
         serviceWorkers: "block",
       });
       const { page } = window;
-      await clearStorageOnLoad(page);
       if (group.includes(pseudolocale)) {
         await page.route("**/assets/de-*.js", (route) =>
           route.fulfill({ contentType: "text/javascript", body: pseudolocale.texts.asModule() }),
         );
       }
       const faults: string[] = [];
-      for (const language of group) {
-        if (viewport !== null) await page.setViewportSize(viewport);
-        await page.goto(`/?lang=${language.tag}`);
+      for (const [at, language] of group.entries()) {
+        const shown = group[at - 1];
+        if (shown === undefined) await page.goto(`/?lang=${language.tag}`);
+        else await chooseLanguage(page, shown.texts, language.tag);
         await page.getByRole("grid").waitFor();
         await expect(page.locator("html")).toHaveAttribute("lang", language.tag);
         const found = await faultsDuringVisit(page, language.texts, isPhone, sizes);
@@ -72,7 +75,10 @@ for (const group of groups) {
   }
 }
 
-/** Opens each menu, dialog and tab. @returns the texts that cannot be read in them */
+/**
+ * Opens each menu, dialog and tab, and leaves the page as on the first visit.
+ * @returns the texts that cannot be read in them
+ */
 async function faultsDuringVisit(
   page: Page,
   texts: Texts,
@@ -96,14 +102,17 @@ async function faultsDuringVisit(
     page.getByRole("button", { name: texts.t(path, values), exact: true });
   const checkOverlay = async (path: string, open: () => Promise<void>): Promise<void> => {
     await open();
-    await expect(overlay).not.toHaveCount(0);
+    await overlay.first().waitFor();
     await checkTexts(path);
     await page.keyboard.press("Escape");
-    await expect(overlay).toHaveCount(0);
+    await overlay.waitFor({ state: "detached" });
   };
 
   await checkTexts("first visit");
+  const speed = page.getByRole("combobox", { name: texts.t("shell.run.speed") });
+  await speed.selectOption("max");
   await page.locator('[aria-keyshortcuts="Control+Shift+Enter"]').click();
+  await button("timeline.stepBack").waitFor();
   await checkTexts("after a step");
   await checkOverlay("share", () => button("share.share").click());
   await checkOverlay("stage.view", () => button("stage.view").click());
@@ -135,8 +144,13 @@ async function faultsDuringVisit(
     await checkTexts("remote, more");
     await page.getByRole("radio", { name: texts.t("drive.program"), exact: true }).click();
   }
-  await page.getByRole("textbox", { name: texts.t("program.numberOf", { line: 1 }) }).fill("x");
+  const number = page.getByRole("textbox", { name: texts.t("program.numberOf", { line: 1 }) });
+  const before = await number.inputValue();
+  await number.fill("x");
   await checkTexts("bad number");
+  await number.fill(before);
+  await button("shell.run.reset").click();
+  await speed.selectOption("1");
   return faults;
 }
 
@@ -146,7 +160,7 @@ const english = Texts.load("en");
 test("applies the language of the address, keeps it in a shared link, and switches to English without a reload", async ({
   openWindow,
 }) => {
-  const { page } = await openWindow();
+  const { page } = await openWindow(smallWindow);
   await page.goto("/?lang=de");
   await expect(page.locator("html")).toHaveAttribute("lang", "de");
   await expect(page).toHaveTitle(german.t("language.pageTitle"));
@@ -181,90 +195,85 @@ test("applies the language of the address, keeps it in a shared link, and switch
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
 
-test("keeps the current language and reports that texts cannot be loaded", async ({
+test("reports that a language is not available, or cannot be loaded, and keeps the current one", async ({
   openWindow,
 }) => {
-  const { page } = await openWindow({ serviceWorkers: "block" });
+  const { page } = await openWindow({ ...smallWindow, serviceWorkers: "block" });
+  // The live region contains the same texts.
+  const messages = page.getByRole("region", { name: english.t("shell.messages") });
+  await page.goto("/?lang=tlh");
+  await messages.getByText(english.t("language.unknown", { tag: "tlh" })).waitFor();
+  await expect(page).toHaveURL(/\/$/);
+
   // A network error would be a page error. A chunk that throws is reported in the same way.
   await page.route("**/assets/de-*.js", (route) =>
     route.fulfill({ contentType: "text/javascript", body: "throw new Error('cut off')" }),
   );
   await page.goto("/?lang=de");
-  const messages = page.getByRole("region", { name: english.t("shell.messages") });
-  await expect(
-    messages.getByText(english.t("language.notLoaded", { language: "Deutsch" })),
-  ).toBeVisible();
+  await messages.getByText(english.t("language.notLoaded", { language: "Deutsch" })).waitFor();
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
 
-test("reports that the language of the address is not available", async ({ openWindow }) => {
-  const { page } = await openWindow();
-  await page.goto("/?lang=tlh");
-  // The live region contains the same text.
-  const messages = page.getByRole("region", { name: english.t("shell.messages") });
-  await expect(messages.getByText(english.t("language.unknown", { tag: "tlh" }))).toBeVisible();
-  await expect(page).toHaveURL(/\/$/);
-});
-
-for (const { fault, html } of [
-  { fault: "cut off: Reset", html: `<p style="overflow: hidden; width: 20px">Reset</p>` },
-  {
-    fault: "cut off below: two lines",
-    html: `<p style="overflow: hidden; width: 40px; height: 20px">two lines</p>`,
-  },
-  {
-    fault: "wider than its control: Reset",
-    html: `<button style="width: 20px; padding: 0">Reset</button>`,
-  },
-  { fault: "off the screen: Reset", html: `<p style="position: fixed; left: -20px">Reset</p>` },
-  {
-    fault: "overlapping: one | two",
-    html: `<p>one</p><p style="margin-top: -30px">two</p>`,
-  },
-  {
-    fault: "cut off in a menu",
-    html: `<select style="width: 40px"><option>delayed right 90</option></select>`,
-  },
-  { fault: "the page is", html: `<p style="width: 3000px">wide</p>` },
-]) {
-  test(`reports unreadable text: ${fault}`, async ({ page }) => {
+test("reports unreadable texts", async ({ page }) => {
+  for (const { fault, html } of [
+    { fault: "cut off: Reset", html: `<p style="overflow: hidden; width: 20px">Reset</p>` },
+    {
+      fault: "cut off below: two lines",
+      html: `<p style="overflow: hidden; width: 40px; height: 20px">two lines</p>`,
+    },
+    {
+      fault: "wider than its control: Reset",
+      html: `<button style="width: 20px; padding: 0">Reset</button>`,
+    },
+    { fault: "off the screen: Reset", html: `<p style="position: fixed; left: -20px">Reset</p>` },
+    {
+      fault: "overlapping: one | two",
+      html: `<p>one</p><p style="margin-top: -30px">two</p>`,
+    },
+    {
+      fault: "cut off in a menu",
+      html: `<select style="width: 40px"><option>delayed right 90</option></select>`,
+    },
+    { fault: "the page is", html: `<p style="width: 3000px">wide</p>` },
+  ]) {
     await page.setContent(`<meta charset="utf-8" /><p>fine</p>${html}`);
-    expect(await unreadableTexts(page)).toEqual([expect.stringContaining(fault)]);
-  });
-}
+    expect(await unreadableTexts(page), fault).toEqual([expect.stringContaining(fault)]);
+  }
+});
 
 test("mirrors the page in Arabic, but neither the maze nor the robot's sides", async ({
   openWindow,
 }) => {
-  const english = await openWindow();
-  await english.open();
-  const arabic = await openWindow();
-  await arabic.page.goto("/?lang=ar");
-  await expect(arabic.page.getByRole("grid")).toBeVisible();
-  await expect(arabic.page.locator("html")).toHaveAttribute("dir", "rtl");
-  await expect(arabic.page).toHaveTitle(Texts.load("ar").t("language.pageTitle"));
-
-  const centreX = async ({ page }: CorridorPage, selector: string): Promise<number> => {
-    const box = await page.locator(selector).first().boundingBox();
-    if (box === null) throw new Error(`no ${selector}`);
+  const window = await openWindow(smallWindow);
+  await window.open();
+  const { page } = window;
+  const middle = smallWindow.viewport.width / 2;
+  const panelCentre = async (): Promise<number> => {
+    const box = await page.locator("aside").first().boundingBox();
+    if (box === null) throw new Error("no panel");
     return box.x + box.width / 2;
   };
-  // The panel changes sides. Inside the panel, left stays left of right.
-  expect(await centreX(english, "aside")).toBeGreaterThan(720);
-  expect(await centreX(arabic, "aside")).toBeLessThan(720);
-  for (const side of [english, arabic]) {
+  const expectOrder = async (): Promise<void> => {
     const [left, , right] = ["A", "Space", "D"].map((key) =>
-      side.page.locator("aside button", { hasText: new RegExp(`^${key}$`) }),
+      page.locator("aside button", { hasText: new RegExp(`^${key}$`) }),
     );
     const leftBox = await left?.boundingBox();
     const rightBox = await right?.boundingBox();
     expect(leftBox?.x).toBeLessThan(rightBox?.x ?? 0);
     // The first column of the maze is the leftmost.
-    const cells = side.page.getByRole("gridcell");
+    const cells = page.getByRole("gridcell");
     const first = await cells.nth(0).boundingBox();
     const second = await cells.nth(1).boundingBox();
     expect(first?.x).toBeLessThan(second?.x ?? 0);
-  }
+  };
+  expect(await panelCentre()).toBeGreaterThan(middle);
+  await expectOrder();
+  await chooseLanguage(page, english, "ar");
+  await expect(page.locator("html")).toHaveAttribute("dir", "rtl");
+  await expect(page).toHaveTitle(Texts.load("ar").t("language.pageTitle"));
+  // The panel changes sides. Inside the panel, left stays left of right.
+  await expect.poll(panelCentre).toBeLessThan(middle);
+  await expectOrder();
 });
 
 test("mirrors a dashboard in Arabic, but no letters that students type", async ({
@@ -291,9 +300,8 @@ test("mirrors a dashboard in Arabic, but no letters that students type", async (
   await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toHaveCSS("direction", "ltr");
   await expectNoAxeViolations(page, "Arabic dashboard");
   const { id, screenKey } = teacher.created;
-  const screen = await openWindow();
-  await screen.page.goto(`${relay}/class/${id}?lang=ar#${screenKey}`);
-  await expect(screen.page.locator("html")).toHaveAttribute("dir", "rtl");
-  await expect(screen.page.getByText(letters)).toHaveCSS("direction", "ltr");
+  await page.goto(`${relay}/class/${id}?lang=ar#${screenKey}`);
+  await expect(page.locator("html")).toHaveAttribute("dir", "rtl");
+  await expect(page.getByText(letters)).toHaveCSS("direction", "ltr");
   student.close();
 });
