@@ -1,37 +1,32 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { FAST_MS, Pulse, SLOW_MS } from "./pulse.ts";
+import { FAST_MS, SLOW_MS, startPulse } from "./pulse.ts";
 
 beforeEach(() => {
   vi.useFakeTimers();
 });
 
 afterEach(() => {
+  vi.clearAllTimers();
   vi.useRealTimers();
 });
 
-/** @returns the number of turns per second, second by second */
-function turnsOf(seconds: number, movesIn: (second: number) => boolean): number[] {
-  const turns = Array.from({ length: seconds }, () => 0);
-  let second = 0;
-  const pulse = new Pulse(() => {
-    turns[second] = (turns[second] ?? 0) + 1;
-    return movesIn(second);
+test("turns are fast while something moves, and slow while nothing does", () => {
+  let moves = false;
+  let turns = 0;
+  const takeTurn = startPulse(() => {
+    turns++;
+    return moves;
   });
-  for (; second < seconds; second++) {
-    if (movesIn(second)) pulse.wake();
-    vi.advanceTimersByTime(1_000);
-  }
-  vi.clearAllTimers();
-  return turns;
-}
-
-const fast = 1_000 / FAST_MS;
-const slow = 1_000 / SLOW_MS;
-
-test("turns stay fast while something moves", () => {
-  expect(turnsOf(4, () => true)).toEqual([fast, fast, fast, fast]);
-});
-
-test("turns become slow a second after the last movement, and fast with the next", () => {
-  expect(turnsOf(5, (second) => second === 3)).toEqual([fast, slow, slow, fast, fast]);
+  const turnsIn = (milliseconds: number): number => {
+    const before = turns;
+    vi.advanceTimersByTime(milliseconds);
+    return turns - before;
+  };
+  expect(turnsIn(1_000)).toBe(1_000 / SLOW_MS);
+  moves = true;
+  takeTurn();
+  expect(turnsIn(1_000)).toBe(1_000 / FAST_MS);
+  moves = false;
+  expect(turnsIn(FAST_MS)).toBe(1);
+  expect(turnsIn(1_000)).toBe(1_000 / SLOW_MS);
 });

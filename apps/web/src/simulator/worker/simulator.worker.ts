@@ -11,7 +11,7 @@ import { afterMessages } from "./after-messages.ts";
 import { describeFault } from "./describe-fault.ts";
 import { Lazy } from "./lazy.ts";
 import { PageFeed } from "./page-feed.ts";
-import { Pulse } from "./pulse.ts";
+import { startPulse } from "./pulse.ts";
 import type { Race } from "./race.ts";
 import { RecordedRuns } from "./recorded-runs.ts";
 import type { RemoteHost } from "./remote-host.ts";
@@ -137,25 +137,23 @@ const digests = new Lazy(() => import("./digest.ts"), guarded);
 const postSoon = afterMessages(() => guarded(postUpdate));
 
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
-  pulse.wake();
   try {
     handle(data);
     // Of several requested ticks, only the newest is displayed: the others arrived before this
     // message.
     if (data.type === "seek") postSoon();
-    else advance();
+    else takeTurn();
   } catch (error) {
     reportFault(error);
   }
 };
 
-const pulse = new Pulse(() => {
+const takeTurn = startPulse(() => {
   guarded(() => {
     advance();
     lock.hold(loop?.isRunning === true);
   });
-  const isConnected = relay.loaded !== null || studentClass.loaded !== null;
-  return isConnected || loop?.isRunning === true;
+  return loop?.isRunning === true || (relay.loaded ?? studentClass.loaded) !== null;
 });
 
 /** Brings the run up to now, and posts its updates. */
