@@ -23,7 +23,9 @@ async function behind(
   const robot = new GridRobot(proxy.origin, registration, CORRIDOR);
   onTestFinished(() => robot.link.close());
   const address = `${proxy.origin}/r/${registration.id}#${registration.driverKey}`;
-  const script = await RobotClient.connect(address, platform === undefined ? {} : { platform });
+  // A busy machine needs more than the default of 10 s to restart a relay.
+  const options = { ttl: 60_000, ...(platform !== undefined && { platform }) };
+  const script = await RobotClient.connect(address, options);
   onTestFinished(() => script.close());
   return { proxy, robot, script };
 }

@@ -27,8 +27,9 @@ const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
 
 const sharedRelay = sharedRelayProcess();
 
-async function scriptFor(address: string): Promise<RobotClient> {
-  const script = await RobotClient.connect(address);
+/** @param options default: those of the library */
+async function scriptFor(address: string, options: { ttl?: number } = {}): Promise<RobotClient> {
+  const script = await RobotClient.connect(address, options);
   onTestFinished(() => script.close());
   return script;
 }
@@ -47,7 +48,8 @@ describe("a script and a robot at a real relay", () => {
 
   it("neither loses, duplicates nor reorders commands when the relay is killed", async () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR);
-    const script = await scriptFor(registration.address);
+    // A busy machine needs more than the default of 10 s for two restarts.
+    const script = await scriptFor(registration.address, { ttl: 60_000 });
     await script.right90();
     const records: Promise<{ seq: number; state: string }>[] = [];
     for (let n = 0; n < 30; n++) records.push(script.move(100));
