@@ -9,6 +9,7 @@ import {
   fieldsThatZoom,
 } from "./support/layout.ts";
 import { phone, smallestPhone, tab } from "./support/phone.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 const sizes = [
   [320, 568],
@@ -70,7 +71,11 @@ test("has no field that makes the phone zoom in", async ({ openWindow }) => {
   await expectNoZoom("maze menu");
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "View" }).tap();
-  await page.locator(":popover-open").getByRole("button", { name: "Resize" }).tap();
+  const resize = page.locator(":popover-open").getByRole("button", { name: "Resize" });
+  // A finger that touches a menu while it scrolls or moves only stops it.
+  await resize.scrollIntoViewIfNeeded();
+  await waitForAnimations(page);
+  await resize.tap();
   await expect(corridor.dialog("Resize the maze")).toBeVisible();
   await expectNoZoom("resize");
   await page.keyboard.press("Escape");
