@@ -40,7 +40,7 @@ export function onlyRule(rule: string): RunOptions {
 }
 
 /**
- * Begins with the theme of the page, in which the last state ended: a new theme costs a repaint.
+ * Runs axe in both themes. Begins with the current one, because changing it repaints the page.
  * Checks colours only in a modal dialog while one is open: nobody can use the page behind it, whose
  * colours do not change, and colours are the most expensive rule.
  * @param state names the state in the report

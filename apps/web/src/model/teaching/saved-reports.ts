@@ -5,6 +5,7 @@
 import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 
 export interface SavedReport {
+  /** of the class: a class has one report */
   id: string;
   /** milliseconds since 1970 */
   savedAt: number;
