@@ -50,7 +50,7 @@ Fields of a line with --challenge:
   passed      whether the program passes the task
   code        reason of the first failure, such as "bump"; null if the program passes
   maze, tick  place of the first failure: "maze 2" is a given maze, "tree 31 of seed 7" an unseen one
-  lines       number of lines of the program, without "otherwise"; null for a manual drive
+  lines       number of lines of the program, without "otherwise"; null for a drive
   seconds     simulated seconds in the slowest given maze; null unless the program passes in all
   unseen      count, number passed, and numbers of the failed unseen mazes; null if none were run
   problem     why a line of --handins is "unreadable", such as a code of another lesson; other lines

@@ -46,7 +46,7 @@ export class DrivenRobot {
 
   #place(): void {
     const maze = this.#unseen === null ? "g1" : `u${this.#unseen}`;
-    this.#tiles.place({ task: 1, maze, passes: null, isSolved: false, isByHand: false });
+    this.#tiles.place({ task: 1, maze, passes: null, isSolved: false, isDriven: false });
   }
 
   #step(ms: number): void {

@@ -80,7 +80,7 @@ describe("checkChallenge", () => {
     expect(verdict.failure ?? {}).toMatchObject(failure);
   });
 
-  it("accepts manual commands only if the challenge allows the driver", () => {
+  it("accepts the commands of a drive only if the challenge allows more than a program", () => {
     const goal = { kind: "stop", sensor: "front", from: 140, to: 160 } as const;
     const byHand = {
       ...sample,
@@ -91,7 +91,9 @@ describe("checkChallenge", () => {
       { tick: 0, command: { action: "forward" as const } },
       { tick: 180, command: { action: "stop" as const } },
     ];
+    const byScript = { ...byHand, allowed: { ...byHand.allowed, drivers: ["remote" as const] } };
     expect(checkChallenge(byHand, drive).passed).toBe(true);
+    expect(checkChallenge(byScript, drive).passed).toBe(true);
     expect(checkChallenge(byHand, solution).failure?.code).toBe("driver");
     expect(checkChallenge(sample, drive).failure?.code).toBe("driver");
   });

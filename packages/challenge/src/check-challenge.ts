@@ -11,7 +11,7 @@ import { GoalTracker } from "./goal-tracker.ts";
 import type { Task } from "./task-schema.ts";
 import type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";
 
-/** A program, or the commands of a manual driver in tick order. */
+/** A program, or the commands of a drive by hand or by a script, in tick order. */
 export type Attempt = ProgramDocument | readonly TimedCommand[];
 
 /** Runs an attempt in the given mazes and returns whether it passes, with its first failure. */
@@ -25,7 +25,7 @@ export function checkChallenge(task: Task, attempt: Attempt): Verdict {
 
 /** Returns why a task does not allow an attempt, whatever its maze, or null. */
 export function violationOf(task: Task, attempt: Attempt): Failure | null {
-  return isProgram(attempt) ? findViolation(task, attempt) : findHandViolation(task);
+  return isProgram(attempt) ? findViolation(task, attempt) : findDriveViolation(task);
 }
 
 /** Drives the robot tick by tick and stores the last decision. */
@@ -50,7 +50,7 @@ export function checkMaze(
   const simulation = new Simulation(maze);
   const driver = isProgram(attempt)
     ? programDriver(simulation, attempt)
-    : handDriver(simulation, attempt);
+    : commandDriver(simulation, attempt);
   const tracker = new GoalTracker(goal, maze);
   const { columns } = sizeOf(maze);
   const limit = checks.seconds * TICKS_PER_SECOND;
@@ -132,7 +132,7 @@ function programDriver(simulation: Simulation, program: ProgramDocument): Driver
   };
 }
 
-function handDriver(simulation: Simulation, commands: readonly TimedCommand[]): Driver {
+function commandDriver(simulation: Simulation, commands: readonly TimedCommand[]): Driver {
   let next = 0;
   const readings = new Float64Array(4);
   return {
@@ -157,14 +157,14 @@ function namedReadings(readings: Float64Array): Decision["readings"] {
   return { front, right, back, left };
 }
 
-/** Whether an attempt is a program, not a manual drive. */
+/** Whether an attempt is a program, not the commands of a drive. */
 export function isProgram(attempt: Attempt): attempt is ProgramDocument {
   return "rules" in attempt;
 }
 
-/** Manual control is a violation unless the task allows it. */
-function findHandViolation({ allowed }: Task): Failure | null {
-  if (allowed.drivers.includes("me")) return null;
+/** Commands do not name their sender: they are a violation if the task allows only a program. */
+function findDriveViolation({ allowed }: Task): Failure | null {
+  if (allowed.drivers.some((driver) => driver !== "program")) return null;
   return {
     code: "driver",
     maze: null,

@@ -18,7 +18,7 @@ export interface LessonRow {
   maze: string | null;
   /** tick of the first failure */
   tick: number | null;
-  /** number of lines of the program, without "otherwise"; null for a manual drive */
+  /** number of lines of the program, without "otherwise"; null for a drive */
   lines: number | null;
   /** simulated time in the slowest given maze; null unless the attempt passes in all of them */
   seconds: number | null;

@@ -1,4 +1,4 @@
-/** Codes commands and ticks, of recorded runs and of manual drives. */
+/** Codes commands and ticks, of recorded runs and of drives. */
 import { plainActions, type Command } from "@corridor/protocol";
 import { NumberModel, RealModel, SymbolModel } from "./numbers.ts";
 import { BitModel, type BitCoder } from "./range-coder.ts";

@@ -1,6 +1,6 @@
 /**
  * Codes a completion code as bits, with one function for encoding and decoding: the mark of the
- * lesson, the task, and the program or the commands of a manual drive. Names are left out, because
+ * lesson, the task, and the program or the commands of a drive. Names are left out, because
  * they are not needed for the check and can be those of students.
  */
 import { MARK_LENGTH, MAX_TASKS } from "@corridor/challenge";
@@ -13,7 +13,7 @@ import { placeholderProgram } from "./placeholders.ts";
 import { codeLines } from "./program-coder.ts";
 import type { BitCoder } from "./range-coder.ts";
 
-/** Maximum number of commands of a manual drive. */
+/** Maximum number of commands of a drive. */
 const MAX_COMMANDS = 4_096;
 /** Hexadecimal digits that are coded together: their number, and that of their values. */
 const DIGITS = 3;

@@ -148,16 +148,22 @@ describe("a file that is handed in", () => {
     });
   });
 
-  it.each([
-    ["a script drove", runOf([[{ do: "driver", driver: "remote" }, 5]])],
-    [
-      "a program drove before",
-      runOf([
-        [{ do: "program", program: other }, 5],
-        [me, 5],
-      ]),
-    ],
-  ])("is refused if %s", (_, run) => {
+  it("contains a run by a script, which may end by hand", () => {
+    const run = runOf([
+      [{ do: "driver", driver: "remote" }, 0],
+      [forward, 10],
+      [me, 5],
+    ]);
+    expect(readHandInFile(run)).toMatchObject({
+      value: { attempt: [{ tick: 0 }, { tick: 0, command: { action: "forward" } }, { tick: 10 }] },
+    });
+  });
+
+  it.each(["me", "remote"] as const)("is refused if a program drove before %s", (driver) => {
+    const run = runOf([
+      [{ do: "program", program: other }, 5],
+      [{ do: "driver", driver }, 5],
+    ]);
     expect(readHandInFile(run)).toMatchObject({ ok: false, code: "run" });
   });
 

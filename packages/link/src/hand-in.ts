@@ -119,13 +119,13 @@ export function readHandInFile(text: string): HandInResult {
 function handInOfRun(run: RunDocument, path: string): HandInResult {
   const attempt = attemptOf(run);
   if (attempt !== null) return { ok: true, value: { attempt, task: null } };
-  const expected = "a run that a program drives to its end, or that is driven by hand alone";
+  const expected = "a run that a program drives to its end, or that it does not drive at all";
   return refuse("run", [{ path, found: "a run of another or of several drivers", expected }]);
 }
 
 /**
- * Returns the program that drives at the end of a run, or the commands of a run that is driven by
- * hand alone; null for other runs.
+ * Returns the program that drives at the end of a run, or the commands of a run that hands and
+ * scripts drive alone; null for other runs.
  */
 export function attemptOf({ program, inputs }: RunDocument): Attempt | null {
   const drivers = inputs.flatMap((input) =>
@@ -136,12 +136,10 @@ export function attemptOf({ program, inputs }: RunDocument): Attempt | null {
     const edits = inputs.flatMap((input) => (input.do === "program" ? [input.program] : []));
     return edits.at(-1) ?? program;
   }
-  const first = drivers.findLast(({ tick }) => tick === 0)?.driver;
-  const isByHand =
-    first === "me" &&
-    drivers.every(({ tick, driver }) => tick === 0 || driver === "me") &&
-    inputs.every((input) => input.do !== "maze");
-  if (!isByHand) return null;
+  const first = drivers.findLast(({ tick }) => tick === 0)?.driver ?? "program";
+  const hasProgramDriven =
+    first === "program" || drivers.some(({ tick, driver }) => tick > 0 && driver === "program");
+  if (hasProgramDriven || inputs.some((input) => input.do === "maze")) return null;
   return inputs.flatMap((input) => {
     const { tick } = input;
     if (input.do === "command") return [{ tick, command: input.command }];

@@ -111,13 +111,17 @@ export const progressSchema = z.discriminatedUnion(
     z.strictObject({
       kind: z.literal("solved"),
       task,
-      /** of the program; null: a manual drive */
+      /** of the program; null: the commands of a drive */
       lines: numberTo(MAX_LINES, 0).nullable(),
-      /** link section 3, by which the dashboard runs the attempt again: `solved` is a claim */
+      /**
+       * link section 3, by which the dashboard runs the attempt again: `solved` is a claim. null: a
+       * drive that is too long for a code, or that a program drove in part
+       */
       code: z
         .string({ error: completionCodeError })
         .min(1, { error: completionCodeError })
-        .max(MAX_CODE, { error: completionCodeError }),
+        .max(MAX_CODE, { error: completionCodeError })
+        .nullable(),
     }),
     z.strictObject({ kind: z.literal("survey"), answers }),
   ],

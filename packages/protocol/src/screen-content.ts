@@ -14,7 +14,7 @@ const count = z.int().min(0).max(1_000_000);
 /** A robot in a maze, as the page of a student displays it. */
 const runFields = { task: true, maze: true, pose: true, path: true, line: true } as const;
 const runSchema = tileSchema.pick(runFields).extend({
-  /** link text of the program without names; null: not known, or a manual drive */
+  /** link text of the program without names; null: not known, or a drive */
   program: z.string().max(MAX_PROGRAM_LINK).nullable(),
   /** whether the teacher's page has verified the solution */
   isSolved: z.boolean(),

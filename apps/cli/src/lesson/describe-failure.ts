@@ -14,7 +14,9 @@ export function describeFailure(
   const place = line === "default" ? "otherwise" : `line ${(line ?? 0) + 1}`;
   switch (code) {
     case "driver":
-      return `the task does not allow ${"rules" in attempt ? "a program" : "a manual drive"}`;
+      return "rules" in attempt
+        ? "the task does not allow a program"
+        : "the task allows only a program";
     case "too-many-lines":
       return `${found} lines, at most ${needed} are allowed`;
     case "condition-not-allowed":

@@ -25,7 +25,7 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
         {isRemote ? (
           <div className={styles["remote"]}>
             <CardDock />
-            <MissionPlace look="hint" />
+            <MissionPlace isInviting={false} />
             <LazyRemotePanel />
           </div>
         ) : (

@@ -80,7 +80,7 @@ ${closeCodes({
         "A record of the student's work, which the relay stores once under its number: 1, 2, 3, and so on. At most 10 at once, then one in 2 s. " +
         "The relay responds with `stored`. Until then, send it again on the next connection.",
       program:
-        "The newest program or manual drive of a task, as the text of a link. It replaces the stored one. `seq` is any number, which `stored` returns.",
+        "The newest program or drive of a task, as the text of a link. It replaces the stored one. `seq` is any number, which `stored` returns.",
       help: "The student asks for help, or does not need it any more.",
       name: "The student asks for another name, at most twice. The relay responds with `name` or `problem`.",
     },

@@ -9,7 +9,7 @@ import { Icon } from "../../ui/Icon.tsx";
 
 /**
  * A working student writes, drives, or waits in a pause of the class; a claimed solution is checked,
- * or does not pass.
+ * does not pass, or has no code to check.
  */
 export type CardState =
   | Exclude<Standing, "working">
@@ -17,7 +17,8 @@ export type CardState =
   | "driving"
   | "paused"
   | "checking"
-  | "unverified";
+  | "unverified"
+  | "unchecked";
 
 const looks: Record<
   CardState,
@@ -30,6 +31,7 @@ const looks: Record<
   driving: { tone: "live", icon: <Icon of={Play} fill="currentColor" /> },
   paused: { tone: "ring", icon: <Icon of={Pause} /> },
   checking: { tone: "ring", icon: <Icon of={Check} /> },
+  unchecked: { tone: "ring", icon: <Icon of={Check} /> },
   unverified: { tone: "bad", icon: <Icon of={TriangleAlert} /> },
   disconnected: { tone: "dashed", icon: <Icon of={Unplug} /> },
   solved: { tone: "good", icon: <Icon of={Check} /> },

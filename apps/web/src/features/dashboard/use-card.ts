@@ -16,7 +16,7 @@ export function cardState(state: DashboardState, student: SeenStudent): CardStat
   const isOpen = standing === "working" || standing === "bumped";
   if (isOpen && verification === "fails") return "unverified";
   if (standing !== "working") return standing;
-  if (verification === "checking") return "checking";
+  if (verification === "checking" || verification === "unchecked") return verification;
   // A robot stands during a pause, and nobody can write.
   if (isClassPaused(state)) return "paused";
   return student.tile?.state === "driving" ? "driving" : "writing";

@@ -43,7 +43,7 @@ export function useScreens(
   }, [dashboard, student, choice]);
 }
 
-/** The program of the open task as a link text; null: not known, or a manual drive */
+/** The program of the open task as a link text; null: not known, or a drive */
 function programOf({ students, programs }: DashboardState, number: number): string | null {
   const student = students.get(number);
   const read = programs.get(number);

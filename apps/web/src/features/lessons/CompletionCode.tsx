@@ -25,17 +25,21 @@ interface CompletionCodeProps {
   /** index of the solved task */
   task: number;
   /** who solved it */
-  driver: Exclude<DriverName, "remote">;
+  driver: DriverName;
 }
 
 export function CompletionCode({ lesson, task, driver }: CompletionCodeProps) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
   const attempt = useAttempt(driver);
-  const code = useMemo(() => attempt && codeOf(lesson, task, attempt), [lesson, task, attempt]);
+  const code = useMemo(
+    () => (attempt ? codeOf(lesson, task, attempt) : null),
+    [lesson, task, attempt],
+  );
   const text = useRef<HTMLElement>(null);
   const [isQrShown, setQrShown] = useState(false);
   const [isByHand, setByHand] = useState(false);
-  if (attempt === null) return null;
+  if (attempt === undefined) return null;
+  if (attempt === null) return <p className={styles["note"]}>{t("missions:code.mixed")}</p>;
   if (code === null) return <p className={styles["note"]}>{t("missions:code.tooLong")}</p>;
   const qr = isQrShown ? qrPath(code) : null;
   return (
@@ -76,11 +80,14 @@ export function CompletionCode({ lesson, task, driver }: CompletionCodeProps) {
   );
 }
 
-/** The program, or the commands of the drive by hand; null until they are known. */
-function useAttempt(driver: CompletionCodeProps["driver"]): Attempt | null {
+/**
+ * The program, or the commands of the drive; null if a program drove in part, undefined until it is
+ * known.
+ */
+function useAttempt(driver: DriverName): Attempt | null | undefined {
   const { workspace, simulator } = useServices();
   const program = useStore(workspace, (state) => state.program);
-  const [drive, setDrive] = useState<Attempt | null>(null);
+  const [drive, setDrive] = useState<Attempt | null>();
   useEffect(() => {
     if (driver === "program") return;
     return saveRun(simulator, (answer) => {

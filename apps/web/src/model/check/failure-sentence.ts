@@ -46,7 +46,9 @@ export function reasonText(
   const { seconds } = task.checks;
   switch (code) {
     case "driver":
-      return t(task.allowed.drivers.includes("program") ? "failure.byHand" : "failure.byProgram");
+      return t(
+        task.allowed.drivers.includes("program") ? "failure.onlyProgram" : "failure.byProgram",
+      );
     case "too-many-lines":
       return t("failure.too-many-lines", { found, needed });
     case "condition-not-allowed":

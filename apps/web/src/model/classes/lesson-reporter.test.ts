@@ -2,9 +2,10 @@ import { lessonMark } from "@corridor/challenge";
 import { decodeLink } from "@corridor/link";
 import type { ProgramDocument } from "@corridor/program";
 import type { Progress } from "@corridor/protocol";
+import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import type { ClassPlace } from "../../simulator/protocol/class-messages.ts";
-import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import type { FromWorker, ToWorker } from "../../simulator/protocol/worker-messages.ts";
 import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
 import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
 import { createRunStore } from "../run/run-store.ts";
@@ -36,6 +37,7 @@ function newPage(tab = new VolatileStorage()) {
   const progress: Progress[] = [];
   const programs: { task: number; link: string }[] = [];
   const places: (ClassPlace | null)[] = [];
+  const sent: ToWorker[] = [];
   let surveys = 0;
   const lesson = new ClassLessonMark(mark);
   const reporter = new LessonReporter({
@@ -44,7 +46,7 @@ function newPage(tab = new VolatileStorage()) {
     run: createRunStore(),
     simulator: {
       isGone: false,
-      send: () => undefined,
+      send: (message) => sent.push(message),
       listen: (listener) => {
         listeners.add(listener);
         return () => listeners.delete(listener);
@@ -84,13 +86,29 @@ function newPage(tab = new VolatileStorage()) {
     },
     /** The robot has driven by hand. */
     drive: (tick: number) => {
-      const frame = { snapshot: { state: "paused", bumps: 0 }, view: "now", nowDriver: "me" };
+      const frame = {
+        snapshot: { state: "paused", bumps: 0, pose: { x: 150, y: 150, heading: 0 } },
+        view: "now",
+        nowDriver: "me",
+      };
       const message = { type: "frame", frame: { ...frame, nowTick: tick } } as FromWorker;
       for (const listener of listeners) listener(message);
     },
     meet: () => {
       const figures = { ticks: 300, bumps: 0, lines: 0 };
       challenge.setState({ result: { state: "met", driver: "program", ...figures } });
+    },
+    /** A script solves the task. */
+    meetByScript: () => {
+      const figures = { ticks: 300, bumps: 0, lines: 0 };
+      challenge.setState({ result: { state: "met", driver: "remote", ...figures } });
+    },
+    /** The worker answers the newest request for the run. */
+    saveRun: (run: Pick<RunDocument, "program" | "inputs">) => {
+      const request = sent.findLast(({ type }) => type === "save-run");
+      const saved = { ok: true, text: JSON.stringify(run) };
+      const message = { ...request, type: "run-saved", saved } as FromWorker;
+      for (const listener of listeners) listener(message);
     },
     reset: () => {
       for (const listener of listeners) listener({ type: "truncated", after: -1 });
@@ -130,13 +148,13 @@ describe("the reports of a student's work", () => {
   it("contain that the student drives by hand, until the program is edited", () => {
     const { openTask, drive, edit, place } = newPage();
     openTask(0);
-    expect(place()).toMatchObject({ isByHand: false });
+    expect(place()).toMatchObject({ isDriven: false });
     drive(30);
-    expect(place()).toMatchObject({ isByHand: true });
+    expect(place()).toMatchObject({ isDriven: true });
     edit();
-    expect(place()).toMatchObject({ isByHand: false });
+    expect(place()).toMatchObject({ isDriven: false });
     drive(60);
-    expect(place()).toMatchObject({ isByHand: true });
+    expect(place()).toMatchObject({ isDriven: true });
   });
 
   it("contain runs, and whether the program has changed since the last one", () => {
@@ -193,10 +211,29 @@ describe("the reports of a student's work", () => {
     const [{ code } = { code: "" }] = solved.flatMap((each) =>
       each.kind === "solved" ? [each] : [],
     );
-    expect(decodeLink(code)).toMatchObject({
+    expect(decodeLink(code ?? "")).toMatchObject({
       ok: true,
       value: { completion: { lesson: mark, task: 0 } },
     });
+  });
+
+  it.each([
+    ["with its commands", 0, (code: string | null) => decodeLink(code ?? "").ok],
+    ["without a code after a program has driven", 10, (code: string | null) => code === null],
+  ])("contain a solution by a script, %s", (_, tick, isExpected) => {
+    const { openTask, meetByScript, saveRun, progress } = newPage();
+    openTask(0);
+    meetByScript();
+    saveRun({
+      program: forward,
+      inputs: [
+        { tick, do: "driver", driver: "remote" },
+        { tick, do: "command", command: { action: "forward" } },
+      ],
+    });
+    const solved = progress.find((event) => event.kind === "solved");
+    expect(solved).toMatchObject({ task: 1, lines: null });
+    expect(isExpected(solved?.code ?? null)).toBe(true);
   });
 
   it("contain the program without its name, some time after an edit", () => {
@@ -218,7 +255,7 @@ describe("the reports of a student's work", () => {
       maze: "g1",
       passes: null,
       isSolved: false,
-      isByHand: false,
+      isDriven: false,
     });
     challenge.setState({ ...noChallenge });
     expect(place()).toBeNull();

@@ -2,7 +2,7 @@
  * Reports the work on the lesson of the class: opened tasks, runs, checks, hints, solutions, and the
  * newest program. Nothing else that is open on the page is reported.
  */
-import type { LessonTask } from "@corridor/challenge";
+import type { Attempt, LessonTask } from "@corridor/challenge";
 import { causeLine, type BumpEvent, type Diagnosis } from "@corridor/coach";
 import { CELL } from "@corridor/maze";
 import type { Progress } from "@corridor/protocol";
@@ -24,9 +24,10 @@ import type { RunStore } from "../run/run-store.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import { completionText, programText } from "./attempt-text.ts";
 import type { ClassLessonMark } from "./class-lesson-mark.ts";
-import { HandDriving } from "./hand-driving.ts";
+
 import type { ReportedWork } from "./reported-work.ts";
 import { RunAttempts, type AttemptFailure, type FinishedRun } from "./run-attempts.ts";
+import { StudentDriving } from "./student-driving.ts";
 
 /** Time after an edit until the program is sent, in ms. */
 const EDITED_MS = 2_000;
@@ -50,7 +51,7 @@ export interface LessonReporterPorts {
 export class LessonReporter {
   readonly #ports: LessonReporterPorts;
   readonly #attempts: RunAttempts;
-  readonly #hand = new HandDriving();
+  readonly #driving = new StudentDriving();
   readonly #ends: (() => void)[];
   /** index of the open task; null: the lesson of the class is not open */
   #index: number | null = null;
@@ -75,14 +76,14 @@ export class LessonReporter {
         this.#attempts.receive(message);
         if (message.type !== "frame") return;
         const { nowDriver, nowTick } = message.frame;
-        if (this.#hand.follow(nowDriver, nowTick)) this.#setPlace();
+        if (this.#driving.follow(nowDriver, nowTick)) this.#setPlace();
       }),
       challenge.subscribe((next, before) => this.#follow(next, before)),
       workspace.subscribe((next, before) => {
         if (next.maze !== before.maze) this.#setPlace();
         if (next.program === before.program) return;
         this.#attempts.edited();
-        this.#hand.edited();
+        this.#driving.edited();
         this.#setPlace();
         this.#programSoon();
       }),
@@ -157,7 +158,7 @@ export class LessonReporter {
     if (this.#index === null) return;
     const { reported, add } = this.#ports;
     const task = this.#index + 1;
-    // Every drive by hand is another attempt.
+    // Every drive without a program is another attempt.
     const changed = program === null || reported.try(task, program);
     add({ kind: "run", task, changed, ...run });
     if (program === null) this.#sendDrive(task);
@@ -179,20 +180,14 @@ export class LessonReporter {
     if (index === null) return;
     const { program } = this.#ports.workspace.getState();
     if (driver === "program") this.#sendSolution(index, program.rules.length, program);
-    else {
-      this.#withDrive((drive) => this.#sendSolution(index, null, drive));
-    }
+    else this.#withDrive((drive) => this.#sendSolution(index, null, drive));
   }
 
-  #sendSolution(
-    index: number,
-    lines: number | null,
-    attempt: Parameters<typeof completionText>[2],
-  ): void {
+  #sendSolution(index: number, lines: number | null, attempt: Attempt | null): void {
     const { lesson, reported, add } = this.#ports;
     if (lesson.mark === null) return;
-    const code = completionText(lesson.mark, index, attempt);
-    if (code === null || !reported.solve(index + 1, code)) return;
+    const code = attempt && completionText(lesson.mark, index, attempt);
+    if (!reported.solve(index + 1, code)) return;
     add({ kind: "solved", task: index + 1, lines, code });
   }
 
@@ -208,20 +203,20 @@ export class LessonReporter {
     }, EDITED_MS);
   }
 
-  /** The newest drive by hand in place of the program. */
+  /** The newest drive in place of the program. */
   #sendDrive(task: number): void {
     this.#withDrive((drive) => {
       const { lesson, setProgram } = this.#ports;
-      const text = lesson.mark && completionText(lesson.mark, task - 1, drive);
+      const text = lesson.mark && drive && completionText(lesson.mark, task - 1, drive);
       if (text !== null) setProgram(task, text);
     });
   }
 
-  #withDrive(use: (drive: NonNullable<ReturnType<typeof attemptOf>>) => void): void {
-    saveRun(this.#ports.simulator, (saved) => {
-      const drive = saved.ok ? attemptOf(JSON.parse(saved.text) as RunDocument) : null;
-      if (drive !== null) use(drive);
-    });
+  /** @param use receives null if a program drove in part, or if the run is too long to be saved */
+  #withDrive(use: (drive: Attempt | null) => void): void {
+    saveRun(this.#ports.simulator, (saved) =>
+      use(saved.ok ? attemptOf(JSON.parse(saved.text) as RunDocument) : null),
+    );
   }
 
   #setPlace(): void {
@@ -244,7 +239,7 @@ export class LessonReporter {
       maze: maze === null ? null : `g${maze + 1}`,
       passes: state.checked && passesOf(task, state.checked),
       isSolved: state.result.state === "met",
-      isByHand: this.#hand.isOn || !task.allowed.drivers.includes("program"),
+      isDriven: this.#driving.isOn || !task.allowed.drivers.includes("program"),
     };
   }
 }

@@ -22,7 +22,7 @@ export class ProgramOutbox {
     this.#pace = new ReportPace(ports.now());
   }
 
-  /** @param link text of a link with the program or the manual drive */
+  /** @param link text of a link with the program or the drive */
   set(task: number, link: string): void {
     const newest = this.#newest;
     if (newest?.task === task && newest.link === link) return;

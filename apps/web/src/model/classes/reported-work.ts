@@ -12,8 +12,8 @@ interface Stored {
   opened: number | null;
   /** the program of the newest run or check, by the number of the task */
   tried: Record<number, string>;
-  /** completion codes, by the number of the task */
-  solved: Record<number, string>;
+  /** completion codes, by the number of the task; null: a solution without a code */
+  solved: Record<number, string | null>;
   hasAnswered: boolean;
 }
 
@@ -55,7 +55,7 @@ export class ReportedWork {
   }
 
   /** @returns whether another solution was reported before, or none */
-  solve(task: number, code: string): boolean {
+  solve(task: number, code: string | null): boolean {
     const { solved } = this.#stored;
     if (solved[task] === code) return false;
     this.#write({ ...this.#stored, solved: { ...solved, [task]: code } });

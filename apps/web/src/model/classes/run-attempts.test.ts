@@ -42,6 +42,8 @@ function newAttempts(start = { tick: 0, bumps: 0 }) {
     },
     drive: (tick: number) => frame(tick),
     driveByHand: (tick: number, bumps = 0) => frame(tick, { nowDriver: "me", ...bumped(bumps) }),
+    driveByScript: (tick: number, x: number) =>
+      frame(tick, { nowDriver: "remote", ...bumped(0, "running", x) }),
     end: (tick: number, bumps = 0) => frame(tick, { hasEnded: true, ...bumped(bumps, "paused") }),
     pause: (tick: number) => frame(tick, bumped(0, "paused")),
     reset: (after = -1) => attempts.receive({ type: "truncated", after }),
@@ -57,8 +59,12 @@ function frameOf(tick: number, change: Partial<Frame>): Frame {
   return { ...bumped(0), ...shown, ...change } as Frame;
 }
 
-function bumped(bumps: number, state: "running" | "paused" = "running"): Pick<Frame, "snapshot"> {
-  return { snapshot: { bumps, state } as Frame["snapshot"] };
+function bumped(
+  bumps: number,
+  state: "running" | "paused" = "running",
+  x = 150,
+): Pick<Frame, "snapshot"> {
+  return { snapshot: { bumps, state, pose: { x, y: 150, heading: 0 } } as Frame["snapshot"] };
 }
 
 const passed = { bumps: 0, mistakes: 0, failure: null };
@@ -183,6 +189,30 @@ describe("the runs of a student", () => {
     driveByHand(5);
     attempts.met();
     expect(runs[1]).toEqual({ program: null, ...passed });
+  });
+
+  it("are one drive while hands and scripts drive in turn", () => {
+    const { attempts, runs, drive, driveByHand, driveByScript } = newAttempts();
+    driveByScript(10, 160);
+    driveByHand(20);
+    driveByScript(30, 170);
+    attempts.met();
+    expect(runs).toEqual([{ program: null, ...passed }]);
+    drive(40);
+    attempts.met();
+    expect(runs[1]).toEqual({ program: "a", ...passed });
+  });
+
+  it("begin when a script moves the robot, not while the robot waits for one", () => {
+    const { runs, driveByScript, reset } = newAttempts();
+    driveByScript(10, 150);
+    driveByScript(20, 150);
+    reset();
+    driveByScript(10, 150);
+    driveByScript(20, 190);
+    driveByScript(90, 190);
+    reset();
+    expect(runs).toEqual([{ program: null, ...passed }]);
   });
 
   it("are not the run that a reload restores", () => {

@@ -14,7 +14,7 @@ export interface FinishedRun extends Pick<
   RunRecord,
   "bumps" | "bumpPlaces" | "mistakes" | "failure"
 > {
-  /** the program that drove, as a text to compare; null: a manual drive */
+  /** the program that drove, as a text to compare; null: a drive by hand or by a script */
   program: string | null;
 }
 
@@ -40,9 +40,11 @@ export class RunAttempts {
   #lastTick: number;
   /** bumps at the newest tick; null: unknown after a jump */
   #bumps: number | null;
+  /** where the robot is at the newest tick, as a text to compare; null: not known */
+  #place: string | null = null;
   /** since the last tick that was driven */
   #isEdited = false;
-  /** a failed drive by hand may continue, but it is one run until the robot is reset */
+  /** a failed drive may continue, but it is one run until the robot is reset */
   #isDriveOver = false;
   /**
    * the next frame may show a run that was opened, not driven: another one, or the one that a reload
@@ -127,9 +129,18 @@ export class RunAttempts {
   #frame({ snapshot, hasEnded, view, nowTick, nowDriver }: FrameMessage["frame"]): void {
     if (this.#isOpened && snapshot.state === "paused") this.#lastTick = nowTick;
     this.#isOpened = false;
+    const hasMoved = this.#hasMoved(snapshot.pose);
+    if (nowDriver === "remote" && !hasMoved) this.#lastTick = nowTick;
     this.#advance(nowTick, view === "now" ? snapshot.bumps : null, nowDriver);
     const isEnd = view === "now" && hasEnded && snapshot.state === "paused";
     if (isEnd && this.#run !== null && this.#run.program !== null) this.#endSoon();
+  }
+
+  /** Time passes while a robot waits for a script, which is no run yet. */
+  #hasMoved({ x, y, heading }: Pose): boolean {
+    const before = this.#place;
+    this.#place = `${x} ${y} ${heading}`;
+    return before !== null && this.#place !== before;
   }
 
   /** @param bumps up to this tick; null: not known */
@@ -155,14 +166,14 @@ export class RunAttempts {
   }
 
   #drive(driver: DriverName): void {
-    const isByHand = driver === "me";
-    const wasByHand = this.#run?.program === null;
+    const isProgram = driver === "program";
+    const wasProgram = this.#run?.program !== null;
     // A run that has ended is reported before the next one begins.
-    if (this.#cancelEnd !== null || (this.#run !== null && wasByHand !== isByHand)) this.finish();
-    if (driver === "remote" || (isByHand && this.#isDriveOver)) return;
+    if (this.#cancelEnd !== null || (this.#run !== null && wasProgram !== isProgram)) this.finish();
+    if (!isProgram && this.#isDriveOver) return;
     if (this.#run !== null && !this.#isEdited) return;
     this.#isEdited = false;
-    const program = isByHand ? null : this.#ports.program();
+    const program = isProgram ? this.#ports.program() : null;
     this.#run = { bumps: 0, mistakes: 0, failure: null, ...this.#run, program };
   }
 
@@ -170,6 +181,7 @@ export class RunAttempts {
     this.finish();
     this.#lastTick = Math.max(0, after);
     this.#bumps = after < 0 ? 0 : null;
+    this.#place = null;
     this.#isDriveOver = false;
   }
 }

@@ -9,7 +9,7 @@ const INTERVAL_MS = 4_000;
 
 export interface ReadProgram {
   task: number;
-  /** null: a manual drive */
+  /** null: a drive */
   program: ProgramDocument | null;
   /** the text from which it was read */
   link: string;

@@ -16,7 +16,7 @@ function codeOf(attempt: Attempt, lesson: LessonDocument = sampleLesson, task = 
 }
 
 /** A student who claims to have solved the first task with these codes. */
-function claiming(...codes: string[]) {
+function claiming(...codes: (string | null)[]) {
   const claims = codes.map((code) => ({ code, activeAt: 1, lines: 1, attempts: 1 }));
   const work: TaskWork = {
     task: 1,
@@ -87,6 +87,16 @@ describe("a claimed solution", () => {
     const { verifier, kindOf, runAll } = newVerifier();
     const student = claiming(codeOf(wrong.attempt), codeOf(solution));
     verifier.follow(sampleLesson, new Map([[1, student]]));
+    runAll();
+    expect(kindOf(1)).toBe("passes");
+  });
+
+  it("stays unchecked without a code, until another one passes", () => {
+    const { verifier, kindOf, runAll } = newVerifier();
+    verifier.follow(sampleLesson, new Map([[1, claiming(codeOf(wrong.attempt), null)]]));
+    runAll();
+    expect(kindOf(1)).toBe("unchecked");
+    verifier.follow(sampleLesson, new Map([[1, claiming(null, codeOf(solution))]]));
     runAll();
     expect(kindOf(1)).toBe("passes");
   });

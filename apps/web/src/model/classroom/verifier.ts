@@ -16,9 +16,14 @@ import { PoolCheck, type Later } from "../check/pool-check.ts";
 
 export type Verification =
   | { kind: "checking" }
-  | { kind: "passes"; claim: ClaimedSolution; attempt: Attempt }
+  | { kind: "passes"; claim: CodedClaim; attempt: Attempt }
+  /** no claim passes, and the newest has no code */
+  | { kind: "unchecked" }
   /** no claim passes */
-  | { kind: "fails"; claim: ClaimedSolution; attempt: Attempt | null };
+  | { kind: "fails" };
+
+/** A claim that a dashboard can run again. */
+export type CodedClaim = ClaimedSolution & { code: string };
 
 /** By student and task. */
 export type Verifications = ReadonlyMap<number, ReadonlyMap<number, Verification>>;
@@ -61,7 +66,8 @@ export class SolutionVerifier {
       this.#results.clear();
     }
     for (const { tasks } of students.values()) {
-      for (const { task, claims } of tasks) for (const { code } of claims) this.#add(task, code);
+      for (const { task, claims } of tasks)
+        for (const { code } of claims) if (code !== null) this.#add(task, code);
     }
     this.#publish();
     this.#next();
@@ -131,17 +137,21 @@ export class SolutionVerifier {
   }
 
   #verificationOf(task: number, claims: readonly ClaimedSolution[]): Verification | null {
-    let failed: Verification | null = null;
+    let newest: Verification | null = null;
     let isOpen = false;
-    for (const claim of claims) {
-      const result = this.#results.get(keyOf(task, claim.code));
+    for (const { code, ...claim } of claims) {
+      if (code === null) {
+        newest = { kind: "unchecked" };
+        continue;
+      }
+      const result = this.#results.get(keyOf(task, code));
       if (result === "other-lesson") continue;
       if (result === undefined) isOpen = true;
       else if (result.passes && result.attempt !== null) {
-        return { kind: "passes", claim, attempt: result.attempt };
-      } else failed = { kind: "fails", claim, attempt: result.attempt };
+        return { kind: "passes", claim: { ...claim, code }, attempt: result.attempt };
+      } else newest = { kind: "fails" };
     }
-    return isOpen ? { kind: "checking" } : failed;
+    return isOpen ? { kind: "checking" } : newest;
   }
 }
 

@@ -7,11 +7,11 @@ import type { ProgramDocument } from "@corridor/program";
 import { parseProgram } from "@corridor/program";
 
 export interface Solution {
-  /** number of lines; 0 for a manual drive */
+  /** number of lines; 0 for a drive */
   lines: number;
   /** simulated time in the slowest given maze, in ticks */
   ticks: number;
-  /** null for a manual drive */
+  /** null for a drive */
   program: ProgramDocument | null;
 }
 

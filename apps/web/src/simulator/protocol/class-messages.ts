@@ -21,8 +21,8 @@ export type ClassReport = Extract<StudentToRelay, { type: "progress" | "program"
 export interface ClassPlace extends Pick<Tile, "task" | "maze" | "passes"> {
   /** whether the open task is solved */
   isSolved: boolean;
-  /** whether the student drives by hand, also while the robot waits for the next key */
-  isByHand: boolean;
+  /** whether a hand or a script drives, also while the robot waits for the next command */
+  isDriven: boolean;
 }
 
 /** A hint that the teacher shows. */

@@ -15,10 +15,10 @@ export interface Classroom {
 
 /** A solution that a student's page reports. It counts once the dashboard has run it. */
 export interface ClaimedSolution {
-  /** completion code */
-  code: string;
+  /** completion code; null: the drive has none, so nobody can check it */
+  code: string | null;
   activeAt: number;
-  /** of the program; null: a manual drive */
+  /** of the program; null: the commands of a drive */
   lines: number | null;
   /** attempts until then */
   attempts: number;

@@ -175,7 +175,7 @@ describe("a student's connection in the worker", () => {
     const report = { type: "progress", seq: 1, event } as const;
     host.handle({
       kind: "place",
-      place: { task: 1, maze: "g1", passes: null, isSolved: false, isByHand: false },
+      place: { task: 1, maze: "g1", passes: null, isSolved: false, isDriven: false },
     });
     host.handle({ kind: "send", report });
     host.update(false);

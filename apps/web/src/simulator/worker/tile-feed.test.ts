@@ -5,7 +5,7 @@ import { firstMaze, firstProgram } from "../protocol/first-project.ts";
 import { RunLoop } from "./run-loop.ts";
 import { TileFeed } from "./tile-feed.ts";
 
-const place: ClassPlace = { task: 2, maze: "g1", passes: null, isSolved: false, isByHand: false };
+const place: ClassPlace = { task: 2, maze: "g1", passes: null, isSolved: false, isDriven: false };
 
 /** The tiles of a student at the first project. */
 function newFeed() {
@@ -90,7 +90,7 @@ describe("the tile of a student", () => {
 
   it("shows that the student drives by hand, also between two keys", () => {
     const { loop, feed, wait } = newFeed();
-    feed.place({ ...place, isByHand: true });
+    feed.place({ ...place, isDriven: true });
     loop.hold("forward");
     wait(500);
     loop.hold("stop");

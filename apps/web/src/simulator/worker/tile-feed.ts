@@ -112,13 +112,13 @@ function tileOf(place: ClassPlace, { recording, isRunning }: TileRun): Shown {
   };
 }
 
-function stateOf(run: Run, isRunning: boolean, { isSolved, isByHand }: ClassPlace): Tile["state"] {
+function stateOf(run: Run, isRunning: boolean, { isSolved, isDriven }: ClassPlace): Tile["state"] {
   if (isSolved) return "solved";
   if (isRunning) return "driving";
   // After an edit, no line has driven the last tick.
   const isEdited = run.driver === "program" && run.drivenBy === null;
   if (run.isStopped && run.bumps > 0 && !isEdited) return "bumped";
-  return isByHand ? "driving" : "writing";
+  return isDriven ? "driving" : "writing";
 }
 
 function rounded(value: number): number {

@@ -1,10 +1,10 @@
 /**
- * Whether a student drives by hand now. A drive has pauses: between two keys the robot stands still,
- * but the student does not write.
+ * Whether a student drives now, by hand or by a script. A drive has pauses: between two commands the
+ * robot stands still, but the student does not write.
  */
 import type { DriverName } from "@corridor/protocol";
 
-export class HandDriving {
+export class StudentDriving {
   #driver: DriverName = "program";
   #tick = 0;
   /** tick of the newest edit: what drove before it does not count; null: not edited in this run */
@@ -26,6 +26,6 @@ export class HandDriving {
   }
 
   get isOn(): boolean {
-    return this.#driver === "me" && (this.#editedAt === null || this.#tick > this.#editedAt);
+    return this.#driver !== "program" && (this.#editedAt === null || this.#tick > this.#editedAt);
   }
 }
