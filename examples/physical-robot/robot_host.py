@@ -42,7 +42,11 @@ def main() -> None:
     )
     parser.add_argument("--port", type=int, default=8090)
     parser.add_argument("--name", help="host name in the robot's address (default: --host)")
-    parser.add_argument("--room", default=ROOM, help="rows of # and ., separated by commas")
+    parser.add_argument(
+        "--room",
+        default=ROOM,
+        help="rows of # (block), . (floor), S (start) and G (goal), separated by commas",
+    )
     parser.add_argument(
         "--speedup", type=float, default=1.0, help="factor by which the simulated motors are faster"
     )
