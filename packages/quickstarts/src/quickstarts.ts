@@ -128,7 +128,7 @@ export const quickstarts: Readonly<Record<QuickstartId, Quickstart>> = {
     ...noFile,
     name: null,
     client: protocolClients.mms,
-    needs: "Node 22",
+    needs: "Node 20.19",
     text: micromouse,
   },
   viple: {
@@ -136,7 +136,7 @@ export const quickstarts: Readonly<Record<QuickstartId, Quickstart>> = {
     ...noFile,
     name: "ASU VIPLE",
     client: protocolClients.viple,
-    needs: "Node 22",
+    needs: "Node 20.19",
     text: viple,
   },
 };
