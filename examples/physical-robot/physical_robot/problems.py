@@ -10,6 +10,7 @@ _TITLES = {
     "not-found": "Not found",
     "no-robot": "Robot not found",
     "no-command": "Command not found",
+    "no-maze": "Maze not found",
     "method-not-allowed": "Method not allowed",
     "key-conflict": "The idempotency key was used for another command",
     "too-large": "The body is too large",

@@ -132,6 +132,8 @@ class _Handler(BaseHTTPRequestHandler):
             calls = {"GET": lambda: self._events(query)}
         elif path == "/features":
             calls = {"GET": self._features}
+        elif path == "/maze":
+            calls = {"GET": self._maze}
         elif path == "/commands":
             calls = {
                 "GET": lambda: self._log(query),
@@ -181,6 +183,9 @@ class _Handler(BaseHTTPRequestHandler):
         self._send(
             200, {"notOffered": [{"feature": name, "reason": why} for name, why in missing]}
         )
+
+    def _maze(self) -> None:
+        raise Problem(404, "no-maze", "This robot has no map of its room. Use only its sensors.")
 
     def _post_command(self, body: bytes) -> None:
         kind = self.headers.get("Content-Type", "").partition(";")[0].strip().lower()

@@ -28,22 +28,29 @@ function has([program = "", ...words]: string[]): boolean {
 }
 
 describe("the physical robot", () => {
-  it("rejects a reset, after which a script continues", async () => {
+  it("rejects a reset and has no maze, after which a script continues", async () => {
     const script = `
 import sys
-from corridor import CommandError, Robot
+from corridor import CommandError, NoMazeError, Robot
 
 with Robot(sys.argv[1]) as robot:
     try:
         robot.reset()
     except CommandError as error:
         print(error.code, error.hint)
+    try:
+        robot.maze()
+    except NoMazeError as error:
+        print(error.code, error.hint)
     print(robot.right().state)
 `;
     const env = { ...process.env, PYTHONPATH: join(EXAMPLES, "../packages/client-python/src") };
     const { stdout } = await run("python3", ["-c", script, await startHost(TREE)], { env });
     expect(stdout).toBe(
-      "refused This robot cannot put itself at its start. Carry it there, or continue from where it is.\ncompleted\n",
+      `refused This robot cannot put itself at its start. Carry it there, or continue from where it is.
+no-maze This robot has no map of its room. Use only its sensors.
+completed
+`,
     );
   });
 
