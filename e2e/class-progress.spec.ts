@@ -7,7 +7,7 @@ import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
-import { ClassTeacher } from "./support/class-teacher.ts";
+import { ClassTeacher, type Dashboard } from "./support/class-teacher.ts";
 import { classButton, enterClass } from "./support/enter-class.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 import { lessonTask, straight } from "./support/lesson-task.ts";
@@ -54,7 +54,7 @@ async function expectTask(page: Page, number: number): Promise<void> {
 
 /** Runs the program at full speed. */
 async function drive({ speed, run }: CorridorPage): Promise<void> {
-  await speed.selectOption("16×");
+  await speed.selectOption("max");
   await run.click();
 }
 
@@ -65,12 +65,21 @@ async function solve(corridor: CorridorPage, page: Page): Promise<void> {
   await expect(cardOf(page).getByRole("note")).toContainText("solved");
 }
 
-test("the lesson opens when a student joins, and the teacher receives each step and each run", async ({
+/** A student, and the dashboard of the teacher who watches. */
+interface WatchedStudent {
+  corridor: CorridorPage;
+  page: Page;
+  teacher: ClassTeacher;
+  dashboard: Dashboard;
+}
+
+const byHand = taskOf("By hand", { allowed: { ...taskOf("").allowed, drivers: ["me"] } });
+const three = { ...lesson, tasks: [...tasks, byHand] };
+
+test("the lesson opens when a student joins, and the teacher receives each step, each run and the answers to the questions", async ({
   page,
   relay,
 }) => {
-  const byHand = taskOf("By hand", { allowed: { ...taskOf("").allowed, drivers: ["me"] } });
-  const three = { ...lesson, tasks: [...tasks, byHand] };
   const teacher = await ClassTeacher.start(relay, NAMES, three);
   const dashboard = await teacher.connect();
   dashboard.send({ type: "watch", student: 1 });
@@ -81,111 +90,158 @@ test("the lesson opens when a student joins, and the teacher receives each step 
     .poll(() => dashboard.tile)
     .toMatchObject({ task: 1, maze: "g1", state: "writing", path: "", passes: null });
 
-  await test.step("a hint, and the newest program, without its name", async () => {
-    await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
-    await corridor.program.addLine("right >", "60", "delayed right 90");
-    const programs = async () => (await teacher.read()).students[0]?.programs ?? 0;
-    await expect
-      .poll(async () => {
-        if ((await programs()) === 0) return null;
-        const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
-        const decoded = decodeLink(link);
-        return decoded.ok ? decoded.value.program : null;
-      })
-      .toMatchObject({
-        name: "",
-        rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" }],
-      });
-    await corridor.program.deleteAllLines();
-  });
-
-  await test.step("a run that bumps, and one that solves the task", async () => {
-    await corridor.program.otherwise.selectOption("turn 180");
-    await corridor.program.otherwise.selectOption("reverse");
-    await drive(corridor);
-    await expect.poll(() => dashboard.tile).toMatchObject({ state: "bumped", bumps: 1 });
-    await expect
-      .poll(async () => teacher.progress())
-      .toEqual([
-        { kind: "opened", lesson: lessonMark(three), task: 1 },
-        { kind: "hint", task: 1, hint: 1 },
-        {
-          kind: "run",
-          task: 1,
-          changed: true,
-          bumps: 1,
-          bumpPlaces: [{ maze: "g1", column: expect.any(Number), row: expect.any(Number) }],
-          mistakes: expect.any(Number),
-          failure: { code: "bump", line: "default" },
-        },
-      ]);
-    await corridor.reset.click();
-    await corridor.speed.selectOption("1×");
-    await corridor.program.otherwise.selectOption("forward");
-    await corridor.run.click();
-    await expect.poll(() => dashboard.tiles.map(({ state }) => state)).toContain("driving");
-    await expect
-      .poll(() => dashboard.tile)
-      .toMatchObject({ state: "solved", path: "e4", bumps: 0 });
-    expect(dashboard.tiles.some(({ line }) => line === "default")).toBe(true);
-    await expect(cardOf(page).getByRole("note")).toContainText("solved");
-  });
-
-  await test.step("the next task, once also after a reload, and a check", async () => {
-    await corridor.reload();
-    await expectTask(page, 1);
-    await taskButton(page, 2).click();
-    await expect
-      .poll(async () => (await teacher.progress()).slice(3))
-      .toEqual([
-        { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
-        { kind: "solved", task: 1, lines: 0, code: expect.any(String) },
-        { kind: "opened", lesson: lessonMark(three), task: 2 },
-      ]);
-    const solved = (await teacher.progress()).find(({ kind }) => kind === "solved");
-    const code = decodeLink((solved?.kind === "solved" ? solved.code : null) ?? "");
-    expect(code).toMatchObject({
-      ok: true,
-      value: { completion: { lesson: lessonMark(three), task: 0 } },
-    });
-    await expect
-      .poll(() => dashboard.tile)
-      .toMatchObject({ task: 2, maze: "g1", state: "writing" });
-    await corridor.program.otherwise.selectOption("forward");
-    await cardOf(page).getByRole("button", { name: "Check in both mazes" }).click();
-    await expect.poll(() => dashboard.tile?.passes).toBe(1);
-    await expect
-      .poll(async () => (await teacher.progress()).at(-1))
-      .toMatchObject({ kind: "check", task: 2, changed: true, passes: 1, mazes: 2 });
-  });
-
-  await test.step("a drive by hand, and its solution", async () => {
-    await taskButton(page, 3).click();
-    await expectTask(page, 3);
-    await page.keyboard.down("w");
-    await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", line: null });
-    await page.keyboard.up("w");
-    await expect
-      .poll(async () => (await teacher.progress()).slice(-3))
-      .toEqual([
-        { kind: "opened", lesson: lessonMark(three), task: 3 },
-        { kind: "run", task: 3, changed: true, bumps: 0, mistakes: 0, failure: null },
-        { kind: "solved", task: 3, lines: null, code: expect.any(String) },
-      ]);
-    const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
-    const read = decodeLink(link);
-    expect(read).toMatchObject({ ok: true, value: { completion: { task: 2 } } });
-  });
-
-  await test.step("nothing of other work", async () => {
-    await cardOf(page).getByRole("button", { name: "Back to my maze" }).click();
-    await expect.poll(() => dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
-    await corridor.run.click();
-    await expect(corridor.clock).not.toHaveText(/0:00\.0$/);
-    expect(dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
-  });
+  const student: WatchedStudent = { corridor, page, teacher, dashboard };
+  await test.step("a hint, and the newest program, without its name", () => startTask(student));
+  await test.step("a run that bumps, and one that solves the task", () => bumpAndSolve(student));
+  await test.step("the next task, once also after a reload, and a check", () => openNext(student));
+  await test.step("a drive by hand, and its solution", () => driveByHand(student));
+  await test.step("nothing of other work", () => openOwnWork(student));
   dashboard.close();
+  await test.step("a student answers or skips the questions after the last task", () =>
+    answerQuestions(corridor, relay));
 });
+
+async function startTask({ corridor, page, teacher }: WatchedStudent): Promise<void> {
+  await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  const programs = async () => (await teacher.read()).students[0]?.programs ?? 0;
+  await expect
+    .poll(async () => {
+      if ((await programs()) === 0) return null;
+      const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+      const decoded = decodeLink(link);
+      return decoded.ok ? decoded.value.program : null;
+    })
+    .toMatchObject({
+      name: "",
+      rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" }],
+    });
+  await corridor.program.deleteAllLines();
+}
+
+async function bumpAndSolve({ corridor, page, teacher, dashboard }: WatchedStudent): Promise<void> {
+  await corridor.program.otherwise.selectOption("turn 180");
+  await corridor.program.otherwise.selectOption("reverse");
+  await drive(corridor);
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "bumped", bumps: 1 });
+  await expect
+    .poll(async () => teacher.progress())
+    .toEqual([
+      { kind: "opened", lesson: lessonMark(three), task: 1 },
+      { kind: "hint", task: 1, hint: 1 },
+      {
+        kind: "run",
+        task: 1,
+        changed: true,
+        bumps: 1,
+        bumpPlaces: [{ maze: "g1", column: expect.any(Number), row: expect.any(Number) }],
+        mistakes: expect.any(Number),
+        failure: { code: "bump", line: "default" },
+      },
+    ]);
+  await corridor.reset.click();
+  await corridor.speed.selectOption("1×");
+  await corridor.program.otherwise.selectOption("forward");
+  await corridor.run.click();
+  await expect.poll(() => dashboard.tiles.map(({ state }) => state)).toContain("driving");
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", path: "e4", bumps: 0 });
+  expect(dashboard.tiles.some(({ line }) => line === "default")).toBe(true);
+  await expect(cardOf(page).getByRole("note")).toContainText("solved");
+}
+
+async function openNext({ corridor, page, teacher, dashboard }: WatchedStudent): Promise<void> {
+  await corridor.reload();
+  await expectTask(page, 1);
+  await taskButton(page, 2).click();
+  await expect
+    .poll(async () => (await teacher.progress()).slice(3))
+    .toEqual([
+      { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
+      { kind: "solved", task: 1, lines: 0, code: expect.any(String) },
+      { kind: "opened", lesson: lessonMark(three), task: 2 },
+    ]);
+  const solved = (await teacher.progress()).find(({ kind }) => kind === "solved");
+  const code = decodeLink((solved?.kind === "solved" ? solved.code : null) ?? "");
+  expect(code).toMatchObject({
+    ok: true,
+    value: { completion: { lesson: lessonMark(three), task: 0 } },
+  });
+  await expect.poll(() => dashboard.tile).toMatchObject({ task: 2, maze: "g1", state: "writing" });
+  await corridor.program.otherwise.selectOption("forward");
+  await cardOf(page).getByRole("button", { name: "Check in both mazes" }).click();
+  await expect.poll(() => dashboard.tile?.passes).toBe(1);
+  await expect
+    .poll(async () => (await teacher.progress()).at(-1))
+    .toMatchObject({ kind: "check", task: 2, changed: true, passes: 1, mazes: 2 });
+}
+
+async function driveByHand({ page, teacher, dashboard }: WatchedStudent): Promise<void> {
+  await taskButton(page, 3).click();
+  await expectTask(page, 3);
+  await page.keyboard.down("w");
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", line: null });
+  await page.keyboard.up("w");
+  await expect
+    .poll(async () => (await teacher.progress()).slice(-3))
+    .toEqual([
+      { kind: "opened", lesson: lessonMark(three), task: 3 },
+      { kind: "run", task: 3, changed: true, bumps: 0, mistakes: 0, failure: null },
+      { kind: "solved", task: 3, lines: null, code: expect.any(String) },
+    ]);
+  const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+  const read = decodeLink(link);
+  expect(read).toMatchObject({ ok: true, value: { completion: { task: 2 } } });
+}
+
+async function openOwnWork({ corridor, page, dashboard }: WatchedStudent): Promise<void> {
+  await cardOf(page).getByRole("button", { name: "Back to my maze" }).click();
+  await expect.poll(() => dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
+  await corridor.run.click();
+  await expect(corridor.clock).not.toHaveText(/0:00\.0$/);
+  expect(dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
+}
+
+async function answerQuestions(corridor: CorridorPage, relay: string): Promise<void> {
+  const { page } = corridor;
+  const [first] = lesson.tasks;
+  const single = { ...lesson, tasks: first === undefined ? [] : [first] };
+  const teacher = await ClassTeacher.start(relay, NAMES, single);
+  await enterClass(page, teacher.code);
+  const card = page.getByRole("region", { name: "Mission", exact: true });
+  await expect(card).toContainText("Two mazes");
+  await corridor.program.otherwise.selectOption("forward");
+  await drive(corridor);
+  await expect(corridor.messages).toContainText("You solved all tasks.");
+  // The relay has the solution, so that the student copies no code.
+  await expect(page.getByText("Task solved.", { exact: false }).first()).toBeVisible();
+  await expect(page.getByText("Completion code")).toHaveCount(0);
+  await corridor.messages.getByRole("button", { name: "Answer" }).click();
+  const dialog = corridor.dialog("Questions about the lesson");
+  const question = dialog.getByRole("group", { name: "Did it help you to find the way?" });
+  await expect(question.getByRole("radio", { name: "Skip" })).toBeChecked();
+  await expectNoAxeViolations(page, "questions");
+  await page.setViewportSize({ width: 320, height: 640 });
+  await waitForAnimations(page);
+  expect(await horizontalOverflow(page)).toEqual([]);
+  await page.setViewportSize(smallWindow.viewport);
+  await question.getByRole("radio", { name: "4" }).check();
+  await dialog.getByRole("button", { name: "Send answers" }).click();
+  await expect(dialog).toBeHidden();
+  await expect(corridor.messages).toContainText("Your answers are saved.");
+  await expect
+    .poll(async () => (await teacher.progress()).at(-1))
+    .toEqual({
+      kind: "survey",
+      answers: [
+        { id: "navigation", answer: 4 },
+        { id: "robots", answer: null },
+      ],
+    });
+  await classButton(page).click();
+  const menu = page.getByRole("dialog", { name: "Class" });
+  await expect(menu.getByRole("button", { name: "I need help" })).toBeVisible();
+  await expect(menu.getByRole("button", { name: "Questions about the lesson" })).toBeHidden();
+}
 
 test("the teacher opens tasks in turn, sends lessons and hints, and ends the class", async ({
   page,
@@ -308,45 +364,4 @@ test("the hint of the teacher is in every tab of the phone, and the robot can be
   await tab(page, "Program").tap();
   await expect(hint).toBeVisible();
   dashboard.close();
-});
-
-test("a student answers or skips the questions after the last task", async ({ page, relay }) => {
-  const [first] = lesson.tasks;
-  const single = { ...lesson, tasks: first === undefined ? [] : [first] };
-  const teacher = await ClassTeacher.start(relay, NAMES, single);
-  const corridor = await enterClass(page, teacher.code);
-  const card = page.getByRole("region", { name: "Mission", exact: true });
-  await expect(card).toContainText("Two mazes");
-  await corridor.program.otherwise.selectOption("forward");
-  await drive(corridor);
-  await expect(corridor.messages).toContainText("You solved all tasks.");
-  // The relay has the solution, so that the student copies no code.
-  await expect(page.getByText("Task solved.", { exact: false }).first()).toBeVisible();
-  await expect(page.getByText("Completion code")).toHaveCount(0);
-  await corridor.messages.getByRole("button", { name: "Answer" }).click();
-  const dialog = corridor.dialog("Questions about the lesson");
-  const question = dialog.getByRole("group", { name: "Did it help you to find the way?" });
-  await expect(question.getByRole("radio", { name: "Skip" })).toBeChecked();
-  await expectNoAxeViolations(page, "questions");
-  await page.setViewportSize({ width: 320, height: 640 });
-  await waitForAnimations(page);
-  expect(await horizontalOverflow(page)).toEqual([]);
-  await page.setViewportSize(smallWindow.viewport);
-  await question.getByRole("radio", { name: "4" }).check();
-  await dialog.getByRole("button", { name: "Send answers" }).click();
-  await expect(dialog).toBeHidden();
-  await expect(corridor.messages).toContainText("Your answers are saved.");
-  await expect
-    .poll(async () => (await teacher.progress()).at(-1))
-    .toEqual({
-      kind: "survey",
-      answers: [
-        { id: "navigation", answer: 4 },
-        { id: "robots", answer: null },
-      ],
-    });
-  await classButton(page).click();
-  const menu = page.getByRole("dialog", { name: "Class" });
-  await expect(menu.getByRole("button", { name: "I need help" })).toBeVisible();
-  await expect(menu.getByRole("button", { name: "Questions about the lesson" })).toBeHidden();
 });
