@@ -1,7 +1,14 @@
 /** The page works without a network after one visit, and an update never discards edits. */
+import { encodeLink } from "@corridor/link";
 import type { Page } from "playwright/test";
+import {
+  linkOf,
+  programOf,
+  sampleLesson,
+} from "../apps/web/src/features/teach/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
+import { TeachPage } from "./pages/teach-page.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { RelayProxy, NEWER_BUILD } from "./support/relay-proxy.ts";
 import { smallWindow } from "./support/window-sizes.ts";
@@ -10,6 +17,8 @@ import { RelayProcess } from "../tests/support/relay-process.ts";
 test.use({ serviceWorkers: "allow" });
 
 const OFFLINE = "You are offline. Driving and programs still work, but Remote does not.";
+
+const lesson = encodeLink({ lesson: sampleLesson });
 
 /** The service worker downloads all files of the page, which took a slow machine more than 45 s. */
 const CACHED_MS = 120_000;
@@ -23,7 +32,7 @@ async function waitForServiceWorker(page: Page): Promise<void> {
 // Each context downloads all files of the page, so that tests of one network share a context. Not
 // openWindow fixtures: the browser logs an error for each failed request, as expected.
 
-test("drives, programs, builds and shares offline after one visit, and connects when the network is back", async ({
+test("checks hand-ins, drives, programs, builds and shares offline after one visit, and connects when the network is back", async ({
   browser,
 }) => {
   const relay = await RelayProcess.start();
@@ -32,10 +41,19 @@ test("drives, programs, builds and shares offline after one visit, and connects 
   const page = await context.newPage();
   const corridor = new CorridorPage(page);
 
+  await test.step("a teacher checks hand-ins offline", async () => {
+    const teach = new TeachPage(page);
+    await teach.openHandIns(lesson.ok ? lesson.text : "");
+    await waitForServiceWorker(page);
+    await context.setOffline(true);
+    await page.reload();
+    await teach.checkLines([linkOf(programOf("right-wall", "Juniper"))]);
+    await expect(teach.rows.first()).toContainText("passes");
+    await context.setOffline(false);
+  });
+
   await test.step("a class says that it needs the network, and opens when the network is back", async () => {
     const teacher = await ClassTeacher.start(relay.url);
-    await page.goto("/teach");
-    await waitForServiceWorker(page);
     await context.setOffline(true);
     await page.goto(teacher.address());
     const needsNetwork = page.getByRole("heading", { name: "Your class needs the network" });

@@ -5,6 +5,7 @@ import { lessonOfTasks } from "@corridor/challenge/testing";
 import { encodeLink, type LinkContent } from "@corridor/link";
 import type { ProgramPresetId } from "@corridor/program";
 import { Recording } from "@corridor/recording";
+import type { Page } from "playwright/test";
 import {
   mazeOf,
   programOf,
@@ -15,9 +16,11 @@ import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { TeachPage } from "./pages/teach-page.ts";
 import { allButColours, axeViolations, expectNoAxeViolations } from "./support/axe.ts";
+import { chooseLanguage } from "./support/choose-language.ts";
 import { KeyboardUser } from "./support/keyboard-user.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { phone } from "./support/phone.ts";
+import { Texts } from "./support/texts.ts";
 import { wideWindow } from "./support/window-sizes.ts";
 
 test.use(wideWindow);
@@ -53,9 +56,52 @@ function runFile(): string {
   return written.text;
 }
 
-test("leads from the lessons to the hand-ins, and checks hand-ins of every kind", async ({
+/** Closes the open lesson, so that another one can be opened. Hand-ins stay. */
+async function openAnother(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Open another lesson" }).click();
+  await new TeachPage(page).lesson.waitFor();
+}
+
+test("begins with a lesson, checks hand-ins of every kind in the chosen tasks, saves the table as CSV, and stops with the results so far", async ({
   page,
 }) => {
+  await test.step("begins with a lesson, and on a phone with a class, in reading order, and works by keyboard alone", () =>
+    useKeyboard(page));
+  await test.step("leads from the lessons to the hand-ins, and checks hand-ins of every kind", () =>
+    checkEveryKind(page));
+  await page.getByRole("button", { name: "Remove files" }).click();
+  await test.step("checks the chosen tasks, saves the table as CSV, and continues after a reload", () =>
+    checkTasks(page));
+  await test.step("shows results as they come, and stops with those so far", () => stopCheck(page));
+});
+
+async function useKeyboard(page: Page): Promise<void> {
+  const keyboard = new KeyboardUser(page);
+  const entries = page.getByRole("main").getByRole("list").first().getByRole("listitem");
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.goto("/teach");
+  await expect(entries).toHaveText([/^Start/, /^Make/, /^Check/, /^Reports/]);
+  await page.setViewportSize(wideWindow.viewport);
+  await expect(entries).toHaveText([/^Make/, /^Start/, /^Check/, /^Reports/]);
+  const entry = page.getByRole("link", { name: /^Check hand-ins/ });
+  await expect(entry).toBeVisible();
+  await page.keyboard.press("Tab");
+  const skip = page.getByRole("link", { name: "Skip to the content" });
+  await expect(skip).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("main")).toBeFocused();
+  await keyboard.press(entry);
+  const teach = new TeachPage(page);
+  await keyboard.tabTo(teach.lesson);
+  await page.keyboard.insertText(lessonLink);
+  await page.keyboard.press("Enter");
+  await keyboard.tabTo(teach.lines);
+  await page.keyboard.insertText(linkOf({ program: comet }));
+  await keyboard.press(teach.check());
+  await keyboard.tabTo(teach.rows.getByRole("link", { name: "Watch the failure of hand-in 1" }));
+}
+
+async function checkEveryKind(page: Page): Promise<void> {
   await new CorridorPage(page).open();
   await new LessonsPanel(page).openPath();
   const forTeachers = page.getByRole("link", { name: "For teachers" });
@@ -66,6 +112,8 @@ test("leads from the lessons to the hand-ins, and checks hand-ins of every kind"
   await expect(page).toHaveTitle("Check hand-ins – Corridor");
   const teach = new TeachPage(page);
 
+  // The lesson that was checked last is open.
+  await openAnother(page);
   await teach.lesson.fill("nonsense");
   await teach.openLesson.click();
   await expect(page.getByRole("alert")).toContainText("This is not a link of Corridor");
@@ -108,14 +156,14 @@ test("leads from the lessons to the hand-ins, and checks hand-ins of every kind"
   await expect(student.mazeMenu).toHaveAccessibleName("Maze 2, Maze menu");
   await expect(student.program.name).toHaveValue("Comet");
   await expect(student.page).toHaveURL(/\/$/);
-});
+  await student.page.close();
+}
 
-test("checks the chosen tasks, saves the table as CSV, and continues after a reload", async ({
-  page,
-}) => {
+async function checkTasks(page: Page): Promise<void> {
   const teach = new TeachPage(page);
   const other = { ...everyMaze, name: "One maze", mazes: [mazeOf("first-steps")], unseen: null };
   const twoTasks = linkOf({ lesson: lessonOf(everyMaze, other) });
+  await openAnother(page);
   await teach.openHandIns(twoTasks);
   await expect(page).toHaveURL(/\/teach#hand-ins$/);
   await teach.checkLines([linkOf({ program: comet })]);
@@ -154,12 +202,13 @@ test("checks the chosen tasks, saves the table as CSV, and continues after a rel
     await page.goBack();
     await expect(teach.lines).toHaveValue(linkOf({ program: juniper }));
   });
-});
+}
 
-test("shows results as they come, and stops with those so far", async ({ page }) => {
+async function stopCheck(page: Page): Promise<void> {
   const teach = new TeachPage(page);
   const unseen = { ...everyMaze.unseen, columns: 33, rows: 33, count: 1_000, pass: 1 };
   const long = { ...everyMaze, checks: { bumps: null, seconds: 600 }, unseen };
+  await openAnother(page);
   await teach.openHandIns(linkOf({ lesson: lessonOf(long as LessonTask) }));
   await teach.lines.fill(
     ["right-wall", "left-wall", "back-and-forth"]
@@ -175,38 +224,33 @@ test("shows results as they come, and stops with those so far", async ({ page })
   await expect(page.getByRole("button", { name: "Stop" })).toBeHidden();
   await expect(teach.rows).toHaveCount(3);
   await expect(stopped).toHaveText(done ?? "");
-});
+}
 
-test("begins with a lesson, and on a phone with a class, in reading order, and works by keyboard alone", async ({
-  page,
+test("a phone has the links for teachers in sight, and the hand-ins fit it, and 320 px, also in a right-to-left language", async ({
+  openWindow,
 }) => {
-  const keyboard = new KeyboardUser(page);
-  const entries = page.getByRole("main").getByRole("list").first().getByRole("listitem");
-  await page.setViewportSize({ width: 390, height: 844 });
+  const { page } = await openWindow(phone);
+  await test.step("a phone has the links for teachers in sight, without scrolling", () =>
+    findLinks(page));
+
   await page.goto("/teach");
-  await expect(entries).toHaveText([/^Start/, /^Make/, /^Check/, /^Reports/]);
+  await expect(page.getByRole("main").getByRole("link")).toHaveCount(3);
+  await expectStartFits(page, (state) => expectNoAxeViolations(page, state), "English");
+  await checkOnPhone(page);
+  await expectTableFits(page, (state) => expectNoAxeViolations(page, state), "English");
+
   await page.setViewportSize(wideWindow.viewport);
-  await expect(entries).toHaveText([/^Make/, /^Start/, /^Check/, /^Reports/]);
-  const entry = page.getByRole("link", { name: /^Check hand-ins/ });
-  await expect(entry).toBeVisible();
-  await page.keyboard.press("Tab");
-  const skip = page.getByRole("link", { name: "Skip to the content" });
-  await expect(skip).toBeFocused();
-  await page.keyboard.press("Enter");
-  await expect(page.getByRole("main")).toBeFocused();
-  await keyboard.press(entry);
-  const teach = new TeachPage(page);
-  await keyboard.tabTo(teach.lesson);
-  await page.keyboard.insertText(lessonLink);
-  await page.keyboard.press("Enter");
-  await keyboard.tabTo(teach.lines);
-  await page.keyboard.insertText(linkOf({ program: comet }));
-  await keyboard.press(teach.check());
-  await keyboard.tabTo(teach.rows.getByRole("link", { name: "Watch the failure of hand-in 1" }));
+  await chooseLanguage(page, Texts.load("en"), "ar");
+  await page.setViewportSize(phone.viewport);
+  // Both languages have the same colours.
+  const expectAccessible = async (state: string): Promise<void> =>
+    expect(await axeViolations(page, allButColours), state).toEqual([]);
+  await expectTableFits(page, expectAccessible, "Arabic");
+  await page.goto("/teach#");
+  await expectStartFits(page, expectAccessible, "Arabic");
 });
 
-test("a phone has the links for teachers in sight, without scrolling", async ({ openWindow }) => {
-  const { page } = await openWindow(phone);
+async function findLinks(page: Page): Promise<void> {
   await new CorridorPage(page).open();
   await page.getByRole("banner").getByRole("button", { name: "More" }).click();
   await page.getByRole("dialog", { name: "More" }).getByRole("button", { name: "Lessons" }).click();
@@ -217,49 +261,39 @@ test("a phone has the links for teachers in sight, without scrolling", async ({ 
   await page.getByRole("banner").getByRole("button", { name: "Share" }).click();
   const link = page.getByRole("link", { name: "Teaching? Make a lesson of this" });
   await expect(link).toBeInViewport({ ratio: 1 });
-});
+}
 
-test("fits a phone and 320 px, also in a right-to-left language", async ({ openWindow }) => {
-  test.slow();
-  for (const locale of ["en-US", "ar-EG"]) {
-    const { page } = await openWindow({ ...phone, locale });
-    // Both languages have the same colours.
-    const expectAccessible = async (state: string): Promise<void> =>
-      locale === "en-US"
-        ? expectNoAxeViolations(page, state)
-        : expect(await axeViolations(page, allButColours), state).toEqual([]);
-    await page.goto("/teach");
-    await expect(page.getByRole("main").getByRole("link")).toHaveCount(3);
-    await expectAccessible(`${locale}, start`);
-    expect(await horizontalOverflow(page)).toEqual([]);
-    // The link is saved as a lesson, whose hand-ins open next.
-    await page.goto(`/teach#${lessonLink}`);
-    await page.waitForURL(/#lesson=/);
-    await page.goto(page.url().replace("#lesson=", "#hand-ins="));
-    const lines = page.getByRole("main").getByRole("textbox");
-    await lines.fill([linkOf({ program: comet }), "Anna"].join("\n"));
-    await page.getByRole("main").locator("section button").last().click();
-    await expect(page.getByRole("table").getByRole("link")).toBeVisible();
-    await expectAccessible(`${locale}, table`);
-    expect(await smallTouchTargets(page)).toEqual([]);
-    for (const width of [390, 320]) {
-      await page.setViewportSize({ width, height: 640 });
-      await expect.poll(() => horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
-    }
+async function expectStartFits(
+  page: Page,
+  expectAccessible: (state: string) => Promise<void>,
+  language: string,
+): Promise<void> {
+  await expect(page.getByRole("main").getByRole("link").first()).toBeVisible();
+  await expectAccessible(`${language}, start`);
+  expect(await horizontalOverflow(page), language).toEqual([]);
+}
+
+/** Checks a program that fails, and a text that is no hand-in. */
+async function checkOnPhone(page: Page): Promise<void> {
+  // The link is saved as a lesson, whose hand-ins open next.
+  await page.goto(`/teach#${lessonLink}`);
+  await page.waitForURL(/#lesson=/);
+  await page.goto(page.url().replace("#lesson=", "#hand-ins="));
+  const lines = page.getByRole("main").getByRole("textbox");
+  await lines.fill([linkOf({ program: comet }), "Anna"].join("\n"));
+  await page.getByRole("main").locator("section button").last().click();
+}
+
+async function expectTableFits(
+  page: Page,
+  expectAccessible: (state: string) => Promise<void>,
+  language: string,
+): Promise<void> {
+  await expect(page.getByRole("table").getByRole("link")).toBeVisible();
+  await expectAccessible(`${language}, table`);
+  expect(await smallTouchTargets(page), language).toEqual([]);
+  for (const width of [390, 320]) {
+    await page.setViewportSize({ width, height: 640 });
+    await expect.poll(() => horizontalOverflow(page), `${language}, ${width} px`).toEqual([]);
   }
-});
-
-test.describe("offline", () => {
-  test.use({ serviceWorkers: "allow" });
-
-  test("checks hand-ins without a network after one visit", async ({ context, page }) => {
-    const teach = new TeachPage(page);
-    await teach.openHandIns(lessonLink);
-    const isControlled = () => navigator.serviceWorker.controller !== null;
-    await page.waitForFunction(isControlled, undefined, { timeout: 120_000 });
-    await context.setOffline(true);
-    await page.reload();
-    await teach.checkLines([linkOf({ program: juniper })]);
-    await expect(teach.rows).toContainText("50 of 50");
-  });
-});
+}
