@@ -1,48 +1,62 @@
 /** The report of a class: the numbers of the thesis of 2013 from its own tables. */
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import type { Page } from "playwright/test";
+import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { smallestPhone } from "./support/phone.ts";
+import { wideWindow } from "./support/window-sizes.ts";
+
+test.use(wideWindow);
 
 const paper = (name: string) =>
   fileURLToPath(new URL(`../packages/report/src/testing/${name}`, import.meta.url));
 const paperFiles = [paper("table-10-times.csv"), paper("table-9-survey.csv")];
 
-interface NamedText {
-  name: string;
-  mimeType: string;
-  buffer: Buffer;
+/** Writes a table into the folder of the test. @returns its path: the browser reads it from there */
+function csv(name: string, text: string): string {
+  const path = test.info().outputPath(name);
+  writeFileSync(path, text);
+  return path;
 }
 
-const csv = (name: string, text: string): NamedText => ({
-  name,
-  mimeType: "text/csv",
-  buffer: Buffer.from(text),
-});
-
-async function choose(page: Page, files: string[] | NamedText[]): Promise<void> {
+async function choose(page: Page, files: string[]): Promise<void> {
   const chooser = page.waitForEvent("filechooser");
   await page.getByRole("button", { name: "Choose CSV files" }).click();
   await (await chooser).setFiles(files);
 }
 
-test.beforeEach(async ({ page }) => {
+async function openReports(page: Page): Promise<void> {
   await page.goto("/teach");
   await page.getByRole("link", { name: /^Reports/ }).click();
   await expect(page.getByRole("heading", { name: "Reports" })).toBeVisible();
-});
+}
 
-test("shows the paper's numbers from the paper's files, and the mistakes that the teacher types", async ({
+/** The cells of the row whose name begins so. */
+function cellsOf(page: Page, name: string): Locator {
+  return page.getByRole("row", { name: new RegExp(`^${name}`) }).getByRole("cell");
+}
+
+test("shows the paper's numbers from the paper's files, saves and opens tables, and explains an invalid one", async ({
   page,
 }) => {
+  await openReports(page);
   await choose(page, paperFiles);
+  await test.step("shows the paper's numbers from the paper's files", () => expectNumbers(page));
+  await test.step("saves one table, and opens it again with the same report", () =>
+    saveAndOpen(page));
+  await test.step("counts the mistakes that the teacher types", () => typeMistakes(page));
+  const remove = page.getByRole("button", { name: "Remove files" });
+  await remove.click();
+  await test.step("states for each number of which students it is", () => stateStudents(page));
+  await remove.click();
+  await test.step("explains an invalid table, and keeps the open report", () => refuse(page));
+});
+
+async function expectNumbers(page: Page): Promise<void> {
   await expect(page.getByText("Students: 28")).toBeVisible();
-  const cells = (name: string) =>
-    page.getByRole("row", { name: new RegExp(`^${name}`) }).getByRole("cell");
-  await expect(cells("right wall")).toHaveText([
+  await expect(cellsOf(page, "right wall")).toHaveText([
     "28 of 28 (100%)",
     "5:17",
     "4:30",
@@ -51,7 +65,7 @@ test("shows the paper's numbers from the paper's files, and the mistakes that th
     "14:00",
     "2 lines (5 in the paper)",
   ]);
-  await expect(cells("farthest distance")).toHaveText([
+  await expect(cellsOf(page, "farthest distance")).toHaveText([
     "28 of 28 (100%)",
     "3:48",
     "3:53",
@@ -64,25 +78,15 @@ test("shows the paper's numbers from the paper's files, and the mistakes that th
   const bars = page.getByRole("list", { name: "Time of each student: right wall" });
   await expect(bars.getByRole("listitem")).toHaveCount(28);
   await expect(bars.getByRole("listitem").last()).toHaveText("Student 28: 14:00");
+}
 
-  const mistakes = page.getByRole("group", { name: "Students with a mistake" });
-  const controlFlow = "How much did the simulator help you see how a program runs";
-  const navigation = "How much did the simulator help you see how a robot finds its way";
-  await mistakes.getByLabel(controlFlow).fill("1");
-  await mistakes.getByLabel(navigation).fill("3");
-  await expect(cells(controlFlow)).toHaveText(["0", "3", "5", "9", "11", "0", "4.0", "3.6%"]);
-  await expect(cells(navigation)).toHaveText(["0", "1", "4", "9", "14", "0", "4.3", "10.7%"]);
-  await expectNoAxeViolations(page, "a report");
-});
-
-test("saves one table, and opens it again with the same report", async ({ page }, info) => {
-  await choose(page, paperFiles);
+async function saveAndOpen(page: Page): Promise<void> {
   const tables = page.getByRole("table");
   await expect(tables).toHaveCount(2);
   const shown = await tables.allInnerTexts();
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save as CSV" }).click();
-  const saved = info.outputPath("report.csv");
+  const saved = test.info().outputPath("report.csv");
   await (await download).saveAs(saved);
   expect(readFileSync(saved, "utf8")).toMatch(/^\uFEFFstudent,task,seconds,/);
   await page.getByRole("button", { name: "Remove files" }).click();
@@ -90,9 +94,38 @@ test("saves one table, and opens it again with the same report", async ({ page }
   await choose(page, [saved]);
   await expect(tables).toHaveCount(2);
   expect(await tables.allInnerTexts()).toEqual(shown);
-});
+}
 
-test("states for each number of which students it is", async ({ page }) => {
+async function typeMistakes(page: Page): Promise<void> {
+  const mistakes = page.getByRole("group", { name: "Students with a mistake" });
+  const controlFlow = "How much did the simulator help you see how a program runs";
+  const navigation = "How much did the simulator help you see how a robot finds its way";
+  await mistakes.getByLabel(controlFlow).fill("1");
+  await mistakes.getByLabel(navigation).fill("3");
+  await expect(cellsOf(page, controlFlow)).toHaveText([
+    "0",
+    "3",
+    "5",
+    "9",
+    "11",
+    "0",
+    "4.0",
+    "3.6%",
+  ]);
+  await expect(cellsOf(page, navigation)).toHaveText([
+    "0",
+    "1",
+    "4",
+    "9",
+    "14",
+    "0",
+    "4.3",
+    "10.7%",
+  ]);
+  await expectNoAxeViolations(page, "a report");
+}
+
+async function stateStudents(page: Page): Promise<void> {
   const rows = ["Juniper,One,60,2", "Comet,One,90,0", "Comet,Two,,4", "Pixel,,,"];
   await choose(page, [
     csv("8b-corners.csv", ["student,task,seconds,attempts", ...rows].join("\n")),
@@ -111,9 +144,9 @@ test("states for each number of which students it is", async ({ page }) => {
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save as CSV" }).click();
   expect((await download).suggestedFilename()).toBe("8b-corners.csv");
-});
+}
 
-test("explains an invalid table, and keeps the open report", async ({ page }) => {
+async function refuse(page: Page): Promise<void> {
   await choose(page, [csv("one.csv", "student,task,seconds\nJuniper,1,60\n")]);
   await expect(page.getByText("1 student: too few for a mean.")).toBeVisible();
   // Few students have a name and a time beside their bars, and a row each.
@@ -136,16 +169,14 @@ test("explains an invalid table, and keeps the open report", async ({ page }) =>
     /large\.csv is bigger than 8 MB\..*choose another file/,
   ]);
   await expect(page.getByRole("row", { name: /^1 / })).toContainText("1:00");
-});
+}
 
-test.describe("on the smallest phone", () => {
-  test.use({ ...smallestPhone });
-
-  test("scrolls tables inside the page", async ({ page }) => {
-    await choose(page, paperFiles);
-    await expect(page.getByText("Students: 28")).toBeVisible();
-    expect(await horizontalOverflow(page)).toEqual([]);
-    expect(await smallTouchTargets(page)).toEqual([]);
-    await expectNoAxeViolations(page, "a report on a phone");
-  });
+test("scrolls tables inside the page on the smallest phone", async ({ openWindow }) => {
+  const { page } = await openWindow(smallestPhone);
+  await openReports(page);
+  await choose(page, paperFiles);
+  await expect(page.getByText("Students: 28")).toBeVisible();
+  expect(await horizontalOverflow(page)).toEqual([]);
+  expect(await smallTouchTargets(page)).toEqual([]);
+  await expectNoAxeViolations(page, "a report on a phone");
 });
