@@ -1,9 +1,7 @@
 /** The dashboard of a teacher: starting a class, what it shows of students, and what it sends. */
-import { readFile } from "node:fs/promises";
 import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import type { Locator, Page } from "playwright/test";
-import { shownCode } from "../apps/web/src/model/classes/shown-code.ts";
 import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
 import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
@@ -13,6 +11,9 @@ import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { phone } from "./support/phone.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
+import { wideWindow } from "./support/window-sizes.ts";
+
+test.use(wideWindow);
 
 const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4", "Team 5"];
 const lesson: LessonDocument = {
@@ -34,8 +35,8 @@ function claim(attempt: typeof solution) {
 }
 
 /** A class whose dashboard is open. */
-async function openDashboard(page: Page, relay: string, names: string[] | null = NAMES) {
-  const teacher = await ClassTeacher.start(relay, names, lesson);
+async function openDashboard(page: Page, relay: string) {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
   await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
   await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
   return teacher;
@@ -66,7 +67,8 @@ test("a teacher starts a class, a student joins with its letters, and receives a
   if (!own.ok) throw new Error(own.code);
   await page.goto(`/teach#${own.text}`);
   await expect(page.getByRole("heading", { name: "My own" })).toBeVisible();
-  await page.goto("/teach");
+  // The list of lessons, without a load of the page.
+  await page.goto("/teach#");
   await page.getByRole("button", { name: "Start a class" }).click();
   const dialog = page.getByRole("dialog", { name: "Start a class" });
   const warning = dialog.getByText("You have not solved this lesson yet.");
@@ -110,12 +112,30 @@ test("a teacher starts a class, a student joins with its letters, and receives a
   student.close();
 });
 
-test("a teacher sees who has solved, who works and who needs help, and directs the class", async ({
+/** A big screen of fewer pixels: the robots of a race move all the time. */
+const smallScreen = { viewport: { width: 960, height: 540 } };
+
+/** A class with its dashboard and its big screen. */
+interface OpenClass {
+  teacher: ClassTeacher;
+  page: Page;
+  screen: Page;
+}
+
+test("a teacher sees who has solved, who works and who needs help, and directs the class and the big screen, which shows no name", async ({
   page,
   relay,
+  openWindow,
 }) => {
+  // Two pages take part in all of it.
+  test.slow();
   const teacher = await openDashboard(page, relay);
   const join = async (): Promise<ScriptedStudent> => ScriptedStudent.join(relay, teacher.code);
+  const { page: screen } = await openWindow(smallScreen);
+  const open: OpenClass = { teacher, page, screen };
+  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  await expect(screen.getByText(lettersOf(teacher))).toBeVisible();
+  expect(new URL(screen.url()).hash).toBe("");
 
   const [honest, cheat] = [await join(), await join()];
   await test.step("a solution counts after the teacher's page has run it", async () => {
@@ -126,6 +146,14 @@ test("a teacher sees who has solved, who works and who needs help, and directs t
     await expect(cardOf(page, honest)).toHaveAccessibleName(/, Solved, 0 minutes, 1 line,/);
     await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Reported solved, does not pass,/);
     await expect(page.getByRole("region", { name: "Results" })).toContainText("1 of 2 students");
+    await expect(screen.getByText("1 of 2 solved")).toBeVisible();
+    await expect(screen.getByText("Where robots bump")).toBeVisible();
+  });
+
+  await test.step("verified programs race in one maze, on the dashboard and the big screen", async () => {
+    await expect(screen.getByRole("button", { name: /^Race/ })).toHaveCount(0);
+    cheat.report(claim(solution));
+    await raceOnBoth(open);
   });
 
   const [driver, stuck, shy] = [await join(), await join(), await join()];
@@ -135,93 +163,52 @@ test("a teacher sees who has solved, who works and who needs help, and directs t
     if (!("rules" in solution)) throw new Error("not a program");
     const link = encodeLink({ program: solution });
     driver.write(link.ok ? link.text : "");
-    driver.show({ state: "driving", line: 0 });
+    driver.show({ state: "driving", line: 0, pose: [350, 150, 90], path: "e1" });
     await expect(cardOf(page, driver)).toHaveAccessibleName(/, Driving, \d+ minutes?, 1 line,/);
   });
 
-  await test.step("who needs help comes first, but no card moves under the focus", async () => {
-    for (let attempt = 0; attempt < 4; attempt++) stuck.bump(0);
-    await expect(cardOf(page, stuck)).toHaveAccessibleName(/, Stuck, \d+ minutes?, 4 attempts$/);
-    await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
-    await cardOf(page, driver).focus();
-    shy.askForHelp();
-    await expect(page.getByText("2 need help now.")).toBeVisible();
-    await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
-    await page.getByRole("button", { name: "Sort" }).click();
-    await expect(cards(page).first()).toHaveAccessibleName(/Asked for help/);
-    // N moves to the next student who needs help.
-    await page.getByRole("heading", { name: "One line" }).click();
-    await page.keyboard.press("n");
-    await expect(cardOf(page, shy)).toBeFocused();
-    await page.keyboard.press("n");
-    await expect(cardOf(page, stuck)).toBeFocused();
-    await page.getByRole("radio", { name: "Needs help 2" }).check({ force: true });
-    await expect(cards(page)).toHaveCount(2);
-    await expectNoAxeViolations(page, "dashboard");
-    await page.getByRole("radio", { name: /^All/ }).check({ force: true });
-    await expect(cards(page)).toHaveCount(5);
-  });
+  await test.step("a run on the big screen, without the student's name", () =>
+    showRun(open, driver));
+  await test.step("who needs help comes first, but no card moves under the focus", () =>
+    sortByNeed(open, { driver, stuck, shy }));
+  await test.step("a pause, the lock and new letters reach the students", () =>
+    direct(open, driver));
+  await test.step("a hint, a return code and a removal reach one student", () =>
+    directOne(open, driver));
 
-  await test.step("a pause, the lock and new letters reach the students", async () => {
-    await page.getByRole("button", { name: "Pause everyone" }).click();
-    const minutesLeft = (): number | null => {
-      const newest = driver.received.at(-1);
-      return newest?.type === "pause" ? Math.ceil((newest.endsInMs ?? 0) / 60_000) : null;
-    };
-    await expect.poll(minutesLeft).toBe(5);
-    await choose(page, "How long to pause", "10 minutes");
-    await expect.poll(minutesLeft).toBe(10);
-    await page.getByRole("button", { name: "End the pause" }).click();
-    await expect.poll(() => driver.received.at(-1)).toEqual({ type: "pause", endsInMs: null });
-    await choose(page, "Who can join", "Lock the class");
-    await expect(page.getByText("locked", { exact: true })).toBeVisible();
-    expect((await teacher.read()).settings.locked).toBe(true);
-    await choose(page, "Who can join", /^New letters/);
-    await expect.poll(async () => (await teacher.read()).settings.code).not.toBe(teacher.code);
-  });
-
-  await test.step("a hint, a return code and a removal reach one student", async () => {
-    await cardOf(page, driver).click();
-    const sheet = page.getByRole("complementary");
-    await expect.poll(() => driver.has("watched")).toBe(true);
-    const program = page.getByRole("list", { name: "Program" });
-    await expect(program.getByRole("listitem").first()).toContainText("if front < 50");
-    // The teacher reads the hint before the student does.
-    await expect(sheet.getByText("Hint 1 Look at front.")).toBeVisible();
-    await sheet.getByRole("button", { name: "Show hint 1" }).click();
-    await expect.poll(() => driver.received.at(-1)).toEqual({ type: "hint", task: 1, hint: 1 });
-    await sheet.getByRole("button", { name: "Return code" }).click();
-    await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toBeVisible();
-    await expectNoAxeViolations(page, "watched student");
-    await page.keyboard.press("Escape");
-    await expect(cardOf(page, driver)).toBeFocused();
-    await cardOf(page, driver).click();
-    await sheet.getByRole("button", { name: "Remove" }).click();
-    await sheet.getByRole("button", { name: "Remove" }).last().click();
-    await expect(cardOf(page, driver)).toHaveCount(0);
-    await expect(cards(page)).toHaveCount(4);
-  });
+  await teacher.direct("DELETE");
+  await expect(screen.getByText("The lesson is over")).toBeVisible();
   for (const student of [honest, cheat, driver, stuck, shy]) student.close();
 });
 
-test("a big screen shows the code and the results, and no name", async ({
-  page,
-  relay,
-  openWindow,
-}) => {
-  const teacher = await openDashboard(page, relay);
-  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
-  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
-  const letters = `${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`;
-  await expect(screen.getByText(letters)).toBeVisible();
-  expect(new URL(screen.url()).hash).toBe("");
-  const solver = await ScriptedStudent.join(relay, teacher.code);
-  const driver = await ScriptedStudent.join(relay, teacher.code);
-  solver.report(opened);
-  solver.report(claim(solution));
-  driver.show({ state: "driving", pose: [350, 150, 90], path: "e1" });
-  await expect(screen.getByText("1 of 2 solved")).toBeVisible();
+function lettersOf({ code }: ClassTeacher): string {
+  return `${code.slice(0, 3)} ${code.slice(3)}`;
+}
+
+/** Two equal programs of two students race. */
+async function raceOnBoth({ page, screen }: OpenClass): Promise<void> {
+  for (const place of [page, screen]) {
+    await place.getByRole("button", { name: "Race: 2 robots, one maze" }).click();
+    await expect(place.getByText("2 of 2 at the goal")).toBeVisible();
+    await expect(place.getByText(/^Robot 1: \d+\.\d s, 1 line, 2 students$/)).toBeVisible();
+    await expect(place.getByRole("button", { name: "Again" })).toBeVisible();
+    await expectNoAxeViolations(place, "race");
+  }
+  await expect(screen.getByText(/Team \d/)).toHaveCount(0);
+  await screen.getByRole("button", { name: "Again" }).click();
+  await expect(screen.getByText("2 of 2 at the goal")).toBeVisible();
+  await screen.getByRole("button", { name: "Close race" }).click();
   await expect(screen.getByText("Where robots bump")).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+}
+
+/** Shows the run of a student on the big screen. */
+async function showRun(
+  { teacher, page, screen }: OpenClass,
+  driver: ScriptedStudent,
+): Promise<void> {
+  await screen.setViewportSize({ width: 1920, height: 1080 });
   await cardOf(page, driver).click();
   await page.getByRole("button", { name: "Show on big screen" }).click();
   await expect(screen.getByText("A run", { exact: true })).toBeVisible();
@@ -240,164 +227,87 @@ test("a big screen shows the code and the results, and no name", async ({
     const server = client.connectToServer();
     server.onMessage((message) => client.send(String(message).replace('"racers"', '"robots"')));
   });
-  await old.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  await old.goto(`/class/${teacher.created.id}#${teacher.created.screenKey}`);
   await expect(old.getByRole("alert")).toHaveText(/^This page cannot show the results\. Reload/);
-  await expect(old.getByText(letters)).toBeVisible();
+  await expect(old.getByText(lettersOf(teacher))).toBeVisible();
   await old.close();
+  await page.keyboard.press("Escape");
+  await expect(cardOf(page, driver)).toBeFocused();
+  // No card moves under the focus.
+  await page.getByRole("heading", { name: "One line" }).click();
+}
 
-  await teacher.direct("DELETE");
-  await expect(screen.getByText("The lesson is over")).toBeVisible();
-  solver.close();
-  driver.close();
-});
+/** A student who has bumped often, and one who asks for help. */
+async function sortByNeed(
+  { page }: OpenClass,
+  { driver, stuck, shy }: Record<"driver" | "stuck" | "shy", ScriptedStudent>,
+): Promise<void> {
+  for (let attempt = 0; attempt < 4; attempt++) stuck.bump(0);
+  await expect(cardOf(page, stuck)).toHaveAccessibleName(/, Stuck, \d+ minutes?, 4 attempts$/);
+  await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
+  await cardOf(page, driver).focus();
+  shy.askForHelp();
+  await expect(page.getByText("2 need help now.")).toBeVisible();
+  await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
+  await page.getByRole("button", { name: "Sort" }).click();
+  await expect(cards(page).first()).toHaveAccessibleName(/Asked for help/);
+  // N moves to the next student who needs help.
+  await page.getByRole("heading", { name: "One line" }).click();
+  await page.keyboard.press("n");
+  await expect(cardOf(page, shy)).toBeFocused();
+  await page.keyboard.press("n");
+  await expect(cardOf(page, stuck)).toBeFocused();
+  await page.getByRole("radio", { name: "Needs help 2" }).check({ force: true });
+  await expect(cards(page)).toHaveCount(2);
+  await expectNoAxeViolations(page, "dashboard");
+  await page.getByRole("radio", { name: /^All/ }).check({ force: true });
+  await expect(cards(page)).toHaveCount(5);
+}
 
-test("verified programs race in one maze, on the dashboard and the big screen, without names", async ({
-  page,
-  relay,
-  openWindow,
-}) => {
-  const teacher = await openDashboard(page, relay);
-  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
-  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
-  const students = [
-    await ScriptedStudent.join(relay, teacher.code),
-    await ScriptedStudent.join(relay, teacher.code),
-  ];
-  for (const student of students) student.report(opened);
-  students[0]?.report(claim(solution));
-  await expect(screen.getByText("1 of 2 solved")).toBeVisible();
-  await expect(screen.getByRole("button", { name: /^Race/ })).toHaveCount(0);
-  students[1]?.report(claim(solution));
-  for (const place of [page, screen]) {
-    await place.getByRole("button", { name: "Race: 2 robots, one maze" }).click();
-    await expect(place.getByText("2 of 2 at the goal")).toBeVisible();
-    await expect(place.getByText(/^Robot 1: \d+\.\d s, 1 line, 2 students$/)).toBeVisible();
-    await expect(place.getByRole("button", { name: "Again" })).toBeVisible();
-    await expectNoAxeViolations(place, "race");
-  }
-  await expect(screen.getByText(/Team \d/)).toHaveCount(0);
-  await screen.getByRole("button", { name: "Again" }).click();
-  await expect(screen.getByText("2 of 2 at the goal")).toBeVisible();
-  await screen.getByRole("button", { name: "Close race" }).click();
-  await expect(screen.getByText("Where robots bump")).toBeVisible();
-  for (const student of students) student.close();
-});
-
-test("the report opens during the lesson, which ends with one, and then nothing is left", async ({
-  page,
-  relay,
-}) => {
-  const teacher = await openDashboard(page, relay);
-  const foot = page.getByRole("main").getByRole("button", { name: "Report" });
-  await expect(page.getByRole("main").getByRole("button", { name: "End lesson" })).toBeVisible();
-  await expect(foot).toHaveCount(0);
-  const joinAndOpenReport = async (): Promise<ScriptedStudent> => {
-    const student = await ScriptedStudent.join(relay, teacher.code);
-    await expect(cardOf(page, student)).toBeVisible();
-    const opening = page.context().waitForEvent("page");
-    await foot.click();
-    const report = await opening;
-    await expect(report.getByRole("row", { name: nameOf(student) })).toBeVisible();
-    await report.goto("/teach#report");
-    // The next report replaces the one before it.
-    await expect(report.getByRole("link", { name: /^Open the report/ })).toHaveCount(1);
-    await report.close();
-    return student;
+/** Pauses and locks the class, and gives it new letters. */
+async function direct({ teacher, page }: OpenClass, driver: ScriptedStudent): Promise<void> {
+  await page.getByRole("button", { name: "Pause everyone" }).click();
+  const minutesLeft = (): number | null => {
+    const newest = driver.received.at(-1);
+    return newest?.type === "pause" ? Math.ceil((newest.endsInMs ?? 0) / 60_000) : null;
   };
-  const student = await joinAndOpenReport();
-  const absent = await joinAndOpenReport();
-  student.report(opened);
-  student.bump(0);
-  student.report(claim(solution));
-  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
-  await page.getByRole("main").getByRole("button", { name: "End lesson" }).click();
-  const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save report" }).click();
-  const saved = await download;
-  expect(saved.suggestedFilename()).toMatch(/^one-line-\d{4}-\d\d-\d\d\.csv$/);
-  const csv = await readFile(await saved.path(), "utf8");
-  expect(csv.split("\r\n").slice(0, 2)).toEqual([
-    "\uFEFFstudent,task,seconds,lines,attempts,runs,bumps,failed_checks,hints,mistakes",
-    expect.stringMatching(new RegExp(`^${nameOf(student)},One line,\\d+,1,1,1,1,0,0,0$`)),
-  ]);
-  await expect(page.getByText("The report is saved on this device, under Reports.")).toBeVisible();
-  await page.getByRole("button", { name: "End", exact: true }).click();
-  await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
-  await expectNoAxeViolations(page, "the lesson is over");
-  const stored = await page.evaluate(() => Object.keys(localStorage).join());
-  expect(stored).not.toContain("corridor.classroom");
+  await expect.poll(minutesLeft).toBe(5);
+  await choose(page, "How long to pause", "10 minutes");
+  await expect.poll(minutesLeft).toBe(10);
+  await page.getByRole("button", { name: "End the pause" }).click();
+  await expect.poll(() => driver.received.at(-1)).toEqual({ type: "pause", endsInMs: null });
+  await choose(page, "Who can join", "Lock the class");
+  await expect(page.getByText("locked", { exact: true })).toBeVisible();
+  expect((await teacher.read()).settings.locked).toBe(true);
+  await choose(page, "Who can join", /^New letters/);
+  await expect.poll(async () => (await teacher.read()).settings.code).not.toBe(teacher.code);
+}
 
-  await page.getByRole("button", { name: "Open the report" }).click();
-  // Who opened no task is one of the students, too.
-  await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
-  await expect(page.getByRole("row", { name: nameOf(absent) })).toBeVisible();
-  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
-  await expect(page.getByText(`Letters: ${shownCode(teacher.code)}`)).toBeVisible();
-  await page.goto("/teach#report");
-  // It has replaced the reports that were opened during the lesson.
-  const reports = page.getByRole("link", { name: /^Open the report/ });
-  await expect(reports).toHaveCount(1);
-  await page.getByRole("button", { name: /^Delete the report/ }).click();
-  await expect(reports).toHaveCount(0);
-  await page.getByRole("button", { name: "Undo" }).click();
-  await reports.click();
-  await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
-  for (const each of [student, absent]) each.close();
-});
+/** Watches a student, helps, and removes the student. */
+async function directOne({ page }: OpenClass, driver: ScriptedStudent): Promise<void> {
+  await cardOf(page, driver).click();
+  const sheet = page.getByRole("complementary");
+  await expect.poll(() => driver.has("watched")).toBe(true);
+  const program = page.getByRole("list", { name: "Program" });
+  await expect(program.getByRole("listitem").first()).toContainText("if front < 50");
+  // The teacher reads the hint before the student does.
+  await expect(sheet.getByText("Hint 1 Look at front.")).toBeVisible();
+  await sheet.getByRole("button", { name: "Show hint 1" }).click();
+  await expect.poll(() => driver.received.at(-1)).toEqual({ type: "hint", task: 1, hint: 1 });
+  await sheet.getByRole("button", { name: "Return code" }).click();
+  await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toBeVisible();
+  await expectNoAxeViolations(page, "watched student");
+  await page.keyboard.press("Escape");
+  await expect(cardOf(page, driver)).toBeFocused();
+  await cardOf(page, driver).click();
+  await sheet.getByRole("button", { name: "Remove" }).click();
+  await sheet.getByRole("button", { name: "Remove" }).last().click();
+  await expect(cardOf(page, driver)).toHaveCount(0);
+  await expect(cards(page)).toHaveCount(4);
+}
 
-test("a lesson that ended without a saved report still leads to it", async ({ page, relay }) => {
-  const teacher = await openDashboard(page, relay);
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  student.report(opened);
-  student.report(claim(solution));
-  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
-  await page.getByRole("main").getByRole("button", { name: "End lesson" }).click();
-  await page.getByRole("button", { name: "End", exact: true }).click();
-  await page.getByRole("button", { name: "Open the report" }).click();
-  await expect(page).toHaveURL(/\/teach#report=[\w-]+$/);
-  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toHaveCount(2);
-  student.close();
-});
-
-test("links of the dashboard: with the keys, without one, and with that of another class", async ({
-  page,
-  pageErrors,
-  relay,
-}) => {
-  pageErrors.ignoreFailedRequests();
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const { id, teacherKey, screenKey } = teacher.created;
-  const open = async (keys: string): Promise<void> => {
-    // Only another document reads the keys.
-    await page.goto("about:blank");
-    await page.goto(`/class/${id}${keys}`);
-  };
-  const refused = page.getByRole("heading", { name: "This link does not work" });
-  await open("");
-  await expect(refused).toBeVisible();
-  // A device that has only the teacher's key says where the button of the big screen is.
-  await open(`#${teacherKey}`);
-  await page.getByRole("button", { name: "More" }).click();
-  const item = page.getByRole("dialog").getByRole("button", { name: /^Big screen/ });
-  await expect(item).toBeDisabled();
-  await expect(item).toContainText("on the device that started the class");
-  // The key of another class opens nothing, and does not replace the right one.
-  const other = await ClassTeacher.start(relay);
-  await open(`#${other.created.teacherKey}`);
-  await expect(refused).toBeVisible();
-  await expect(page.getByText("Open the class from the device that started it.")).toBeVisible();
-  await page.reload();
-  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
-  // A second device of the teacher opens the big screen, too.
-  await open(`#${teacherKey}.${screenKey}`);
-  const screen = page.getByRole("link", { name: "Big screen" });
-  await expect(screen).toHaveAttribute("href", `${relay}/class/${id}#${screenKey}`);
-  expect(new URL(page.url()).hash).toBe("");
-});
-
-test("the dashboard fits a phone", async ({ browser, relay }) => {
-  const context = await browser.newContext({ ...phone, baseURL: relay });
-  const page = await context.newPage();
+test("the dashboard fits a phone", async ({ openWindow, relay }) => {
+  const { page } = await openWindow(phone);
   const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);
   await expect(cards(page)).toHaveCount(1);
@@ -409,5 +319,4 @@ test("the dashboard fits a phone", async ({ browser, relay }) => {
   await choose(page, "More", "End lesson");
   await expect(page.getByRole("dialog", { name: "End the lesson?" })).toBeVisible();
   student.close();
-  await context.close();
 });

@@ -1,0 +1,168 @@
+/** How the lesson of a class ends: its report, and the links of its dashboard. */
+import { readFile } from "node:fs/promises";
+import { lessonMark, type LessonDocument } from "@corridor/challenge";
+import { encodeLink } from "@corridor/link";
+import type { Locator, Page } from "playwright/test";
+import { shownCode } from "../apps/web/src/model/classes/shown-code.ts";
+import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
+import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
+import { expect, test } from "./fixtures.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
+import { ScriptedStudent } from "./support/scripted-student.ts";
+import { wideWindow } from "./support/window-sizes.ts";
+
+test.use(wideWindow);
+
+const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4", "Team 5"];
+const lesson: LessonDocument = {
+  ...sampleLesson,
+  name: "One line",
+  tasks: [sampleTask("one-line", "One line")],
+};
+/** For the first task of the lesson. */
+const { solution } = answers["one-line"];
+
+const opened = { kind: "opened", lesson: lessonMark(lesson), task: 1 } as const;
+
+/** A claim that the first task is solved. */
+function claim() {
+  const completion = { lesson: lessonMark(lesson), task: 0, attempt: solution };
+  const link = encodeLink({ completion });
+  if (!link.ok) throw new Error(link.code);
+  return { kind: "solved", task: 1, lines: 1, code: link.text } as const;
+}
+
+/** A class whose dashboard is open. */
+async function openDashboard(page: Page, relay: string) {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
+  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+  return teacher;
+}
+
+function nameOf(student: ScriptedStudent): string {
+  return student.joined.name.text ?? "";
+}
+
+function cardOf(page: Page, student: ScriptedStudent): Locator {
+  return page.getByRole("button", { name: new RegExp(`^${nameOf(student)}, `) });
+}
+
+test("the report opens during the lesson, which ends with one, or leads to it, and links open only their own class", async ({
+  page,
+  pageErrors,
+  relay,
+}) => {
+  await test.step("the report opens during the lesson, which ends with one, and then nothing is left", () =>
+    endWithReport(page, relay));
+  await test.step("a lesson that ended without a saved report still leads to it", () =>
+    endWithoutReport(page, relay));
+  pageErrors.ignoreFailedRequests();
+  await test.step("links of the dashboard: with the keys, without one, and with that of another class", () =>
+    openLinks(page, relay));
+});
+
+async function endWithReport(page: Page, relay: string): Promise<void> {
+  const teacher = await openDashboard(page, relay);
+  const foot = page.getByRole("main").getByRole("button", { name: "Report" });
+  await expect(page.getByRole("main").getByRole("button", { name: "End lesson" })).toBeVisible();
+  await expect(foot).toHaveCount(0);
+  const joinAndOpenReport = async (): Promise<ScriptedStudent> => {
+    const student = await ScriptedStudent.join(relay, teacher.code);
+    await expect(cardOf(page, student)).toBeVisible();
+    const opening = page.context().waitForEvent("page");
+    await foot.click();
+    const report = await opening;
+    await expect(report.getByRole("row", { name: nameOf(student) })).toBeVisible();
+    await report.goto("/teach#report");
+    // The next report replaces the one before it.
+    await expect(report.getByRole("link", { name: /^Open the report/ })).toHaveCount(1);
+    await report.close();
+    return student;
+  };
+  const student = await joinAndOpenReport();
+  const absent = await joinAndOpenReport();
+  student.report(opened);
+  student.bump(0);
+  student.report(claim());
+  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
+  await page.getByRole("main").getByRole("button", { name: "End lesson" }).click();
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save report" }).click();
+  const saved = await download;
+  expect(saved.suggestedFilename()).toMatch(/^one-line-\d{4}-\d\d-\d\d\.csv$/);
+  const csv = await readFile(await saved.path(), "utf8");
+  expect(csv.split("\r\n").slice(0, 2)).toEqual([
+    "\uFEFFstudent,task,seconds,lines,attempts,runs,bumps,failed_checks,hints,mistakes",
+    expect.stringMatching(new RegExp(`^${nameOf(student)},One line,\\d+,1,1,1,1,0,0,0$`)),
+  ]);
+  await expect(page.getByText("The report is saved on this device, under Reports.")).toBeVisible();
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
+  await expectNoAxeViolations(page, "the lesson is over");
+  const stored = await page.evaluate(() => Object.keys(localStorage).join());
+  expect(stored).not.toContain("corridor.classroom");
+
+  await page.getByRole("button", { name: "Open the report" }).click();
+  // Who opened no task is one of the students, too.
+  await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
+  await expect(page.getByRole("row", { name: nameOf(absent) })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+  await expect(page.getByText(`Letters: ${shownCode(teacher.code)}`)).toBeVisible();
+  await page.goto("/teach#report");
+  // It has replaced the reports that were opened during the lesson.
+  const reports = page.getByRole("link", { name: /^Open the report/ });
+  await expect(reports).toHaveCount(1);
+  await page.getByRole("button", { name: /^Delete the report/ }).click();
+  await expect(reports).toHaveCount(0);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await reports.click();
+  await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
+  for (const each of [student, absent]) each.close();
+}
+
+async function endWithoutReport(page: Page, relay: string): Promise<void> {
+  const teacher = await openDashboard(page, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.report(opened);
+  student.report(claim());
+  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
+  await page.getByRole("main").getByRole("button", { name: "End lesson" }).click();
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  await page.getByRole("button", { name: "Open the report" }).click();
+  await expect(page).toHaveURL(/\/teach#report=[\w-]+$/);
+  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toHaveCount(2);
+  student.close();
+}
+
+async function openLinks(page: Page, relay: string): Promise<void> {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const { id, teacherKey, screenKey } = teacher.created;
+  const open = async (keys: string): Promise<void> => {
+    // Only another document reads the keys.
+    await page.goto("about:blank");
+    await page.goto(`/class/${id}${keys}`);
+  };
+  const refused = page.getByRole("heading", { name: "This link does not work" });
+  await open("");
+  await expect(refused).toBeVisible();
+  // A device that has only the teacher's key says where the button of the big screen is.
+  await open(`#${teacherKey}`);
+  await page.getByRole("button", { name: "More" }).click();
+  const item = page.getByRole("dialog").getByRole("button", { name: /^Big screen/ });
+  await expect(item).toBeDisabled();
+  await expect(item).toContainText("on the device that started the class");
+  // The key of another class opens nothing, and does not replace the right one.
+  const other = await ClassTeacher.start(relay);
+  await open(`#${other.created.teacherKey}`);
+  await expect(refused).toBeVisible();
+  await expect(page.getByText("Open the class from the device that started it.")).toBeVisible();
+  await page.reload();
+  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+  // A second device of the teacher opens the big screen, too.
+  await open(`#${teacherKey}.${screenKey}`);
+  const screen = page.getByRole("link", { name: "Big screen" });
+  await expect(screen).toHaveAttribute("href", `${relay}/class/${id}#${screenKey}`);
+  expect(new URL(page.url()).hash).toBe("");
+}
