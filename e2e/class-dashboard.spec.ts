@@ -69,10 +69,43 @@ function cardOf(page: Page, number: number): Locator {
   return page.locator(`[data-student="${number}"]`);
 }
 
-test("the cards of a pause, and numbers only of students who have the task open", async ({
+test("the letters, then eight students fit a small laptop, and numbers are only of students who have the task open", async ({
   page,
   relay,
 }) => {
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await test.step("the letters, then eight students fit, and nothing moves when a race is possible", () =>
+    fillClass(page, relay));
+  await test.step("the cards of a pause, and numbers only of students who have the task open", () =>
+    pauseClass(page, relay));
+});
+
+async function fillClass(page: Page, relay: string): Promise<void> {
+  const teacher = await ClassTeacher.start(relay, null, lesson);
+  await page.goto(teacher.address());
+  // The letters and the whole QR code are in sight until students join.
+  const { code } = new DashboardPage(page);
+  await expect(code).toContainText("or open the big screen");
+  expect((await boxOf(code)).bottom).toBeLessThanOrEqual(768);
+  const { students, dashboard, results } = await joinClass(page, relay, teacher, 8);
+  const last = page
+    .getByRole("list")
+    .getByRole("listitem")
+    .filter({ has: cardOf(page, 8) });
+  expect((await boxOf(last)).bottom).toBeLessThanOrEqual(768);
+  const before = await boxOf(results);
+  for (const student of students.slice(0, 2)) solveFirst(student);
+  await expect(page.getByRole("button", { name: "Race: 2 robots, one maze" })).toBeVisible();
+  expect(await boxOf(results)).toEqual(before);
+  // The sheet of a student covers neither the letters nor the cards.
+  await cardOf(page, 8).click();
+  const sheet = await boxOf(dashboard.sheet);
+  expect((await boxOf(dashboard.code)).right).toBeLessThanOrEqual(sheet.x);
+  expect((await boxOf(last)).right).toBeLessThanOrEqual(sheet.x);
+  closeAll(students);
+}
+
+async function pauseClass(page: Page, relay: string): Promise<void> {
   const { students, results } = await openClass(page, relay, 3);
   // A run that the pause stopped is an attempt.
   students[0]?.show({ state: "driving", tick: 60 });
@@ -97,36 +130,7 @@ test("the cards of a pause, and numbers only of students who have the task open"
   await page.getByRole("radio", { name: "Another task 2" }).check({ force: true });
   await expect(new DashboardPage(page).cards).toHaveCount(2);
   closeAll(students);
-});
-
-test("the letters, then eight students fit a small laptop, and nothing moves when a race is possible", async ({
-  page,
-  relay,
-}) => {
-  await page.setViewportSize({ width: 1366, height: 768 });
-  const teacher = await ClassTeacher.start(relay, null, lesson);
-  await page.goto(teacher.address());
-  // The letters and the whole QR code are in sight until students join.
-  const { code } = new DashboardPage(page);
-  await expect(code).toContainText("or open the big screen");
-  expect((await boxOf(code)).bottom).toBeLessThanOrEqual(768);
-  const { students, dashboard, results } = await joinClass(page, relay, teacher, 8);
-  const last = page
-    .getByRole("list")
-    .getByRole("listitem")
-    .filter({ has: cardOf(page, 8) });
-  expect((await boxOf(last)).bottom).toBeLessThanOrEqual(768);
-  const before = await boxOf(results);
-  for (const student of students.slice(0, 2)) solveFirst(student);
-  await expect(page.getByRole("button", { name: "Race: 2 robots, one maze" })).toBeVisible();
-  expect(await boxOf(results)).toEqual(before);
-  // The sheet of a student covers neither the letters nor the cards.
-  await cardOf(page, 8).click();
-  const sheet = await boxOf(dashboard.sheet);
-  expect((await boxOf(dashboard.code)).right).toBeLessThanOrEqual(sheet.x);
-  expect((await boxOf(last)).right).toBeLessThanOrEqual(sheet.x);
-  closeAll(students);
-});
+}
 
 test("bumps are on the map at once, and the sheet has the time, the program and the attempts, but no hint once it is solved", async ({
   page,

@@ -11,7 +11,7 @@ import { ClassTeacher } from "./support/class-teacher.ts";
 import { enterClass, scanCode } from "./support/enter-class.ts";
 import { lessonTask } from "./support/lesson-task.ts";
 import { RelayProxy } from "./support/relay-proxy.ts";
-import { smallWindow } from "./support/window-sizes.ts";
+import { smallWindow, wideWindow } from "./support/window-sizes.ts";
 
 /** Two relays that share a Redis, which stores its data in the folder. */
 interface Cluster {
@@ -56,7 +56,7 @@ test("teacher and student work over plain HTTPS where WebSockets are blocked", a
   const { created } = await ClassTeacher.start(relay, NAMES, lesson);
   // Not openWindow fixtures: the browser logs an error for each WebSocket that does not open.
   const contexts = [
-    await browser.newContext({ ignoreHTTPSErrors: true }),
+    await browser.newContext({ ...wideWindow, ignoreHTTPSErrors: true }),
     await browser.newContext({ ...smallWindow, ignoreHTTPSErrors: true }),
   ] as const;
   const [page, studentPage] = [await contexts[0].newPage(), await contexts[1].newPage()];
@@ -97,7 +97,7 @@ test("teacher and student use two relays, of which one is killed", async ({
   pageErrors.ignoreFailedRequests();
   const teacher = await ClassTeacher.start(first.url, NAMES, lesson);
   const { created } = teacher;
-  const { page } = await openWindow();
+  const { page } = await openWindow(wideWindow);
   await page.goto(teacher.address());
   const dashboard = new DashboardPage(page);
   const student = await enterClass((await openWindow(smallWindow)).page, created.code, second.url);

@@ -8,22 +8,22 @@ import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
+import { wideWindow } from "./support/window-sizes.ts";
+
+test.use(wideWindow);
 
 const task = {
   ...sampleTask("every-maze", "Every maze"),
   unseen: { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 1 } as const,
 };
-const lesson: LessonDocument = { ...sampleLesson, name: "Races", tasks: [task] };
+const tasks = [task, sampleTask("one-line", "One line")];
+const lesson: LessonDocument = { ...sampleLesson, name: "Races", tasks };
 /** A big screen of fewer pixels: the robots of a race move all the time. */
 const smallScreen = { viewport: { width: 960, height: 540 } };
 
 /** Joins, and claims the task with the solution of the mission. */
-async function joinAndSolve(
-  relay: string,
-  code: string,
-  document = lesson,
-): Promise<ScriptedStudent> {
-  const mark = lessonMark(document);
+async function joinAndSolve(relay: string, code: string): Promise<ScriptedStudent> {
+  const mark = lessonMark(lesson);
   const student = await ScriptedStudent.join(relay, code);
   const { solution } = answers["every-maze"];
   const link = encodeLink({ completion: { lesson: mark, task: 0, attempt: solution } });
@@ -33,7 +33,7 @@ async function joinAndSolve(
   return student;
 }
 
-test("a race takes place in the maze that the teacher chooses, also on the big screen", async ({
+test("a race takes place in the maze that the teacher chooses, also on the big screen, and ends when the results of another task are shown", async ({
   page,
   relay,
   openWindow,
@@ -48,6 +48,16 @@ test("a race takes place in the maze that the teacher chooses, also on the big s
   ];
   const result = /^Robot 1: \d+\.\d s, \d lines, 2 students$/;
   const race = { name: "Race: 2 robots, one maze" };
+  await test.step("a race on the big screen ends when the results of another task are shown", async () => {
+    const results = page.getByRole("combobox", { name: "Task of the results" });
+    await screen.getByRole("button", race).click();
+    await expect(screen.getByText("0 of 2 at the goal")).toBeVisible();
+    await results.selectOption("Task 2 of 2");
+    await expect(screen.getByText("0 of 2 solved")).toBeVisible();
+    await expect(screen.getByRole("button", { name: "Close race" })).toHaveCount(0);
+    await expect(screen.getByText("Where robots bump")).toBeVisible();
+    await results.selectOption("Task 1 of 2");
+  });
   await screen.getByRole("button", race).click();
   await expect(screen.getByText(result)).toBeVisible();
   const first = await screen.getByText(result).textContent();
@@ -70,29 +80,5 @@ test("a race takes place in the maze that the teacher chooses, also on the big s
   await expectNoAxeViolations(page, "race in a chosen maze");
   await page.setViewportSize({ width: 320, height: 700 });
   await expect.poll(() => horizontalOverflow(page)).toEqual([]);
-  for (const student of students) student.close();
-});
-
-test("a race on the big screen ends when the results of another task are shown", async ({
-  page,
-  relay,
-  openWindow,
-}) => {
-  const tasks = [task, sampleTask("one-line", "One line")];
-  const twoTasks: LessonDocument = { ...lesson, tasks };
-  const teacher = await ClassTeacher.start(relay, null, twoTasks);
-  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
-  const { page: screen } = await openWindow(smallScreen);
-  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
-  const students = [
-    await joinAndSolve(relay, teacher.code, twoTasks),
-    await joinAndSolve(relay, teacher.code, twoTasks),
-  ];
-  await screen.getByRole("button", { name: "Race: 2 robots, one maze" }).click();
-  await expect(screen.getByText("0 of 2 at the goal")).toBeVisible();
-  await page.getByRole("combobox", { name: "Task of the results" }).selectOption("Task 2 of 2");
-  await expect(screen.getByText("0 of 2 solved")).toBeVisible();
-  await expect(screen.getByRole("button", { name: "Close race" })).toHaveCount(0);
-  await expect(screen.getByText("Where robots bump")).toBeVisible();
   for (const student of students) student.close();
 });
