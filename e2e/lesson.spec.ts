@@ -5,6 +5,8 @@ import { encodeLink } from "@corridor/link";
 import type { Page } from "playwright/test";
 import { readFileSync } from "node:fs";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { drop, Lesson } from "./pages/lesson-card.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { TeachPage } from "./pages/teach-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
@@ -27,45 +29,61 @@ function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
 
 const tasks = [taskOf("Straight on"), taskOf("Side opening", { mazes: [side] })];
 const lesson = lessonOfTasks("Two mazes, three lines", tasks, { intro: "Write short programs." });
+const inTurn = { ...lesson, order: "in turn" as const };
 
-/** Drops a lesson onto the page as a file. */
-async function drop(page: Page, document: unknown): Promise<void> {
-  const text = typeof document === "string" ? document : JSON.stringify(document);
-  const files = await page.evaluateHandle((content) => {
-    const data = new DataTransfer();
-    data.items.add(new File([content], "lesson.json", { type: "application/json" }));
-    return data;
-  }, text);
-  await page.dispatchEvent("body", "drop", { dataTransfer: files });
+/** A student's page and its lesson. */
+interface Opened {
+  corridor: CorridorPage;
+  page: Page;
+  opened: Lesson;
 }
 
-class Lesson {
-  readonly page: Page;
-  readonly card;
-  readonly tasks;
-  readonly outcome;
-
-  constructor(page: Page) {
-    this.page = page;
-    this.card = page.getByRole("region", { name: "Lesson", exact: true });
-    this.tasks = this.card.getByRole("navigation", { name: "Tasks of this lesson" });
-    this.outcome = this.card.getByRole("note");
-  }
-
-  task(number: number) {
-    return this.tasks.getByRole("button", { name: new RegExp(`^${number} `) });
-  }
-
-  async expectTask(number: number): Promise<void> {
-    await expect(this.task(number)).toHaveAttribute("aria-current", "step");
-  }
-}
-
-test("opens a lesson from a file, goes through its tasks, and keeps the work on each", async ({
+test("opens a lesson from a file, keeps the work on each task, hides what a task does not allow, and refuses bad lessons", async ({
   corridor,
   page,
 }) => {
   const opened = new Lesson(page);
+  const student: Opened = { corridor, page, opened };
+  await corridor.program.deleteAllLines();
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await test.step("a bad lesson is refused in one sentence, and leaves the open work alone", () =>
+    refuseBad(student));
+  await test.step("goes through its tasks, and keeps the work on each", () => keepWork(student));
+  await test.step("the texts of a lesson are texts, in its language", async () => {
+    // cspell:ignore متاهتان
+    await drop(page, {
+      ...lesson,
+      language: "ar",
+      name: "<b>‮متاهتان</b>",
+      intro: "{{seconds}} $t(card.label)",
+    });
+    const name = opened.card.getByText("<b>‮متاهتان</b>");
+    await expect(name).toHaveAttribute("lang", "ar");
+    await expect(name).toHaveAttribute("dir", "rtl");
+    await expect(opened.card.getByText("{{seconds}} $t(card.label)")).toBeVisible();
+  });
+  await test.step("tools and help that a task does not allow are hidden", () => hideTools(student));
+});
+
+async function refuseBad({ corridor, page }: Opened): Promise<void> {
+  const dialog = page.getByRole("dialog", { name: "This file cannot be opened" });
+  const bad: [unknown, string][] = [
+    [{ ...lesson, version: 3 }, "version 1 or 2, the newest that this Corridor reads"],
+    [{ ...lesson, tasks: Array.from({ length: 13 }, () => lesson.tasks[0]) }, "at most 12 tasks"],
+    [{ ...lesson, name: "<img src=x onerror=alert(1)>".repeat(9) }, "at most 100 characters"],
+    ['{"format":"corridor/challenge","version":2', "a JSON document"],
+  ];
+  for (const [document, expected] of bad) {
+    await drop(page, document);
+    await expect(dialog).toContainText(expected);
+    await expect(dialog).toContainText("Nothing changed.");
+    await page.keyboard.press("Escape");
+    await expect(dialog).toBeHidden();
+  }
+  await expect(corridor.program.number(1)).toHaveValue("50");
+}
+
+async function keepWork({ corridor, page, opened }: Opened): Promise<void> {
   await drop(page, lesson);
   await opened.expectTask(1);
   await expect(opened.card).toContainText("Two mazes, three lines");
@@ -106,18 +124,53 @@ test("opens a lesson from a file, goes through its tasks, and keeps the work on 
   await expect(closed).toBeVisible();
   await page.getByRole("button", { name: "Back to the task" }).click();
   await opened.expectTask(2);
-});
+}
 
-test("solves tasks in turn, with a completion code for the teacher, and saves the lesson", async ({
+async function hideTools({ corridor, page, opened }: Opened): Promise<void> {
+  const bare = { ...taskOf("").allowed, drivers: ["program", "remote"], tools: [], help: [] };
+  await drop(page, {
+    ...lesson,
+    tasks: [{ ...taskOf("Bare"), mazes: [side], allowed: bare }, taskOf("All")],
+  });
+  await expect(opened.card).toContainText("Solve Bare.");
+  const banner = page.getByRole("banner");
+  await expect(banner.getByRole("button", { name: "Presets" })).toBeHidden();
+  await expect(banner.getByRole("button", { name: "Share" })).toBeHidden();
+  await expect(page.getByRole("radio", { name: "Measure" })).toBeHidden();
+  await expect(page.getByRole("radio", { name: "Remote" })).toBeHidden();
+  await expect(corridor.speed).toBeHidden();
+  await expect(page.getByRole("slider")).toBeHidden();
+  await expect(opened.card.getByRole("button", { name: /hint/ })).toBeHidden();
+  await corridor.mazeMenu.click();
+  await expect(page.getByRole("button", { name: "Save maze", exact: true })).toBeHidden();
+  await page.keyboard.press("Escape");
+  await corridor.program.addLine("right >", "60", "right 90");
+  const line = page.getByRole("listitem", { name: /^Line 1/ });
+  await expect(line).toHaveAccessibleName("Line 1: if right is more than 60, right 90.");
+  await corridor.run.click();
+  await expect(opened.outcome).toHaveText(/^Bump at \d+\.\d s\./);
+  await expect(opened.outcome).not.toContainText("Line 1");
+  await expect(page.locator("#spoken")).not.toContainText(/line 1|true/i);
+  await opened.task(2).click();
+  await expect(banner.getByRole("button", { name: "Presets" })).toBeVisible();
+  await expect(corridor.speed).toBeVisible();
+}
+
+test("opens a lesson from a link, shares it with a small phone, solves tasks in turn, with a completion code for the teacher, and saves the lesson", async ({
   corridor,
   page,
   openWindow,
 }) => {
-  const inTurn = { ...lesson, order: "in turn" as const };
   const opened = new Lesson(page);
+  const student: Opened = { corridor, page, opened };
+  const other = await openWindow({ ...wideWindow, hasTouch: true });
+  await test.step("opens a lesson from a link, and shares it as a short link", () =>
+    shareLesson(student, other));
+  await page.keyboard.press("Escape");
+  await other.page.setViewportSize(wideWindow.viewport);
+
   await drop(page, inTurn);
   await opened.expectTask(1);
-
   await test.step("a locked task says what opens it", async () => {
     await expect(opened.task(2)).toHaveAccessibleName("2 Side opening locked");
     await expect(opened.tasks).toContainText("Task 2 opens when you solve task 1.");
@@ -130,52 +183,10 @@ test("solves tasks in turn, with a completion code for the teacher, and saves th
     await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
     await expect(opened.task(2)).toHaveAccessibleName("2 Side opening");
   });
-
-  await test.step("the completion code is copied, and accepted on /teach", async () => {
-    const code = page.getByRole("region", { name: "Completion code" });
-    await expect(code).toContainText("not who wrote it, when, or with what help.");
-    await expectNoAxeViolations(page, "a completion code");
-    await code.getByRole("button", { name: "QR code" }).click();
-    await expect(code.locator("svg[viewBox]").last()).toBeVisible();
-    await code.getByRole("button", { name: "Copy code" }).click();
-    await expect(code.getByRole("status")).toHaveText(
-      "Completion code copied. It shows that this program passes, not who wrote it.",
-    );
-    const copied = await page.evaluate(() => navigator.clipboard.readText());
-    expect(copied).toMatch(/^[\w-]{10,40}$/);
-
-    const teacher = await openWindow(wideWindow);
-    const link = encodeLink({ lesson: inTurn });
-    const teach = new TeachPage(teacher.page);
-    await teach.openHandIns(link.ok ? link.text : "");
-    await teach.lines.fill(copied);
-    await teacher.page.getByRole("button", { name: "Check 1" }).click();
-    await expect(teacher.page.getByRole("row").nth(1)).toContainText("1 of 1");
-
-    // An edited program has not passed yet.
-    await corridor.program.addLine("front <", "50", "left 90");
-    await expect(code).toBeHidden();
-    await corridor.program.deleteAllLines();
-  });
-
-  await test.step("a solved task stays solved after a reload, and leads to the next one", async () => {
-    await page.reload();
-    await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
-    await opened.task(2).press("Enter");
-    await opened.expectTask(2);
-    await opened.task(1).click();
-    await opened.expectTask(1);
-    // The same lesson again continues where the student left it.
-    await drop(page, inTurn);
-    await opened.expectTask(2);
-    await opened.task(1).click();
-    await opened.expectTask(1);
-    await corridor.run.click();
-    const card = page.getByRole("region", { name: "Solved!" });
-    await card.getByRole("button", { name: "Next task" }).click();
-    await opened.expectTask(2);
-  });
-
+  await test.step("the completion code is copied, and accepted on /teach", () =>
+    handIn(student, other.page));
+  await test.step("a solved task stays solved after a reload, and leads to the next one", () =>
+    continueSolved(student));
   await test.step("the lesson is saved as it was opened, and one task as version 1", async () => {
     const save = async (): Promise<unknown> => {
       await corridor.mazeMenu.click();
@@ -195,194 +206,16 @@ test("solves tasks in turn, with a completion code for the teacher, and saves th
   });
 });
 
-test("counts a task as solved only after a check in its unseen mazes, whose failures can be watched", async ({
-  corridor,
-  page,
-}) => {
-  // A small window has the next step only once.
-  await page.setViewportSize({ width: 1440, height: 900 });
-  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 20, pass: 20 } as const;
-  const checks = { bumps: 0, seconds: 900 };
-  const opened = new Lesson(page);
-  await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
-  await expect(opened.card).toContainText(
-    "Your program is also tested in unseen mazes. It must pass in 20 of 20.",
-  );
-  await corridor.speed.selectOption("16×");
-  await corridor.run.click();
-  await expect(
-    page.getByRole("main").getByText("Works in this maze. Now check all 21."),
-  ).toHaveCount(2);
-  await expect(opened.task(1)).toHaveAccessibleName("1 Every maze");
-  const check = opened.card.getByRole("button", { name: "Check in all 21 mazes" });
-  await page.keyboard.press("Escape");
-  await check.click();
-  await expect(opened.outcome).toHaveText(/^Tree 1 of seed 7: Bump at /);
-  await expect(opened.card).toContainText(
-    /Passes in 1 of 21\. First failure: Tree 1 of seed 7, bump at \d+\.\d s, “otherwise”/,
-  );
-
-  await test.step("plays the last seconds before a failure, and leads back", async () => {
-    const all = opened.card.getByText("All mazes that do not pass: 20");
-    await all.click();
-    const list = opened.card.getByRole("list", { name: "Mazes that do not pass" });
-    const last = list.getByRole("button").last();
-    const name = (await last.textContent()) ?? "";
-    expect(name).toMatch(/^Tree \d+ of seed 7$/);
-    await expectNoAxeViolations(page, "a check with failures");
-    await last.click();
-    await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
-    await expect(corridor.message(/bump at/)).toBeVisible();
-    await expect(corridor.bumps).toHaveText("1 bump");
-    await expect(opened.card).toBeHidden();
-    await page.getByRole("button", { name: "Back to the task" }).click();
-    await opened.expectTask(1);
-    // The result is still there: the next failure needs no second check.
-    await expect(all).toBeVisible();
-    await opened.card.getByRole("button", { name: "Watch" }).click();
-    await expect(corridor.bumps).toHaveText("1 bump");
-    await page.getByRole("button", { name: "Back to the task" }).click();
-    await opened.expectTask(1);
-  });
-
-  await corridor.program.addLine("right >", "60", "delayed right 90");
-  await corridor.program.addLine("front <", "50", "left 90");
-  await check.click();
-  await expect(opened.outcome).toHaveText("Task solved. Lines used: 2 of 3");
-  await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
-});
-
-test("stops a check at once, calls a missed goal the end of the time, and has a code for a drive by hand", async ({
-  corridor,
-  page,
-}) => {
-  const opened = new Lesson(page);
-  await test.step("a check stops at once, with the mazes so far", async () => {
-    const unseen = { kind: "tree", columns: 33, rows: 33, seed: 7, count: 1_000, pass: 1 } as const;
-    const checks = { bumps: null, seconds: 3_600 };
-    await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
-    await opened.expectTask(1);
-    await corridor.program.addLine("front <", "50", "turn 180");
-    await opened.card.getByRole("button", { name: "Check in all 1,001 mazes" }).click();
-    await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
-    const stop = opened.card.getByRole("button", { name: "Stop" });
-    await stop.click();
-    await expect(opened.card).toContainText(/Stopped after \d+ of 1,001\./);
-    await expect(opened.card.getByRole("button", { name: /^Check in all/ })).toBeFocused();
-  });
-
-  await test.step("a missed goal is the end of the time, never wrong", async () => {
-    const checks = { bumps: 0, seconds: 2 };
-    await drop(page, { ...lesson, tasks: [taskOf("Slow", { checks, mazes: [straight, side] })] });
-    const { card } = new LessonsPanel(page);
-    await expect(card).toContainText("Solve Slow.");
-    await card.getByRole("button", { name: "Check in both mazes" }).click();
-    await expect(card.getByRole("note")).toHaveText(
-      "Maze 1: Goal not reached in 2 s. More time may be enough.",
-    );
-    await corridor.speed.selectOption("16×");
-    await corridor.run.click();
-    await expect(card.getByRole("note")).toHaveText(
-      "Goal not reached in 2 s. More time may be enough.",
-    );
-    await expect(opened.card).toBeHidden();
-  });
-
-  await test.step("the completion code contains the commands of a drive by hand", async () => {
-    const allowed = { ...taskOf("").allowed, drivers: ["me"] as const };
-    await drop(page, { ...lesson, tasks: [{ ...taskOf("By hand"), allowed }] });
-    await expect(page.getByText("Solve By hand.")).toBeVisible();
-    await page.keyboard.down("w");
-    const code = page.getByRole("region", { name: "Completion code" });
-    await expect(code.getByRole("button", { name: "Copy code" })).toBeVisible();
-    await page.keyboard.up("w");
-    await corridor.waitForRobotToStop();
-    await expect(code.locator("code")).toHaveText(/^[\w-]{10,60}$/);
-  });
-});
-
-test("hides what a task does not allow, refuses bad lessons, and shows hostile texts as texts", async ({
-  corridor,
-  page,
-}) => {
-  const opened = new Lesson(page);
-  await corridor.program.deleteAllLines();
-  await corridor.program.addLine("front <", "50", "turn 180");
-
-  await test.step("a bad lesson is refused in one sentence, and leaves the open work alone", async () => {
-    const dialog = page.getByRole("dialog", { name: "This file cannot be opened" });
-    const bad: [unknown, string][] = [
-      [{ ...lesson, version: 3 }, "version 1 or 2, the newest that this Corridor reads"],
-      [{ ...lesson, tasks: Array.from({ length: 13 }, () => lesson.tasks[0]) }, "at most 12 tasks"],
-      [{ ...lesson, name: "<img src=x onerror=alert(1)>".repeat(9) }, "at most 100 characters"],
-      ['{"format":"corridor/challenge","version":2', "a JSON document"],
-    ];
-    for (const [document, expected] of bad) {
-      await drop(page, document);
-      await expect(dialog).toContainText(expected);
-      await expect(dialog).toContainText("Nothing changed.");
-      await page.keyboard.press("Escape");
-      await expect(dialog).toBeHidden();
-    }
-    await expect(corridor.program.number(1)).toHaveValue("50");
-  });
-
-  await test.step("the texts of a lesson are texts, in its language", async () => {
-    // cspell:ignore متاهتان
-    await drop(page, {
-      ...lesson,
-      language: "ar",
-      name: "<b>‮متاهتان</b>",
-      intro: "{{seconds}} $t(card.label)",
-    });
-    const name = opened.card.getByText("<b>‮متاهتان</b>");
-    await expect(name).toHaveAttribute("lang", "ar");
-    await expect(name).toHaveAttribute("dir", "rtl");
-    await expect(opened.card.getByText("{{seconds}} $t(card.label)")).toBeVisible();
-  });
-
-  await test.step("tools and help that a task does not allow are hidden", async () => {
-    const bare = { ...taskOf("").allowed, drivers: ["program", "remote"], tools: [], help: [] };
-    await drop(page, {
-      ...lesson,
-      tasks: [{ ...taskOf("Bare"), mazes: [side], allowed: bare }, taskOf("All")],
-    });
-    await opened.expectTask(1);
-    const banner = page.getByRole("banner");
-    await expect(banner.getByRole("button", { name: "Presets" })).toBeHidden();
-    await expect(banner.getByRole("button", { name: "Share" })).toBeHidden();
-    await expect(page.getByRole("radio", { name: "Measure" })).toBeHidden();
-    await expect(page.getByRole("radio", { name: "Remote" })).toBeHidden();
-    await expect(corridor.speed).toBeHidden();
-    await expect(page.getByRole("slider")).toBeHidden();
-    await expect(opened.card.getByRole("button", { name: /hint/ })).toBeHidden();
-    await corridor.mazeMenu.click();
-    await expect(page.getByRole("button", { name: "Save maze", exact: true })).toBeHidden();
-    await page.keyboard.press("Escape");
-    await corridor.program.addLine("right >", "60", "right 90");
-    const line = page.getByRole("listitem", { name: /^Line 1/ });
-    await expect(line).toHaveAccessibleName("Line 1: if right is more than 60, right 90.");
-    await corridor.run.click();
-    await expect(opened.outcome).toHaveText(/^Bump at \d+\.\d s\./);
-    await expect(opened.outcome).not.toContainText("Line 1");
-    await expect(page.locator("#spoken")).not.toContainText(/line 1|true/i);
-    await opened.task(2).click();
-    await expect(banner.getByRole("button", { name: "Presets" })).toBeVisible();
-    await expect(corridor.speed).toBeVisible();
-  });
-});
-
-test("opens a lesson from a link, and shares it as a short link with a small phone", async ({
-  corridor,
-  openWindow,
-  page,
-}) => {
+async function shareLesson(
+  { corridor, page, opened }: Opened,
+  recipient: CorridorPage,
+): Promise<void> {
   const link = encodeLink({ lesson });
   if (!link.ok) throw new Error(link.code);
   await corridor.open(`/#${link.text}`);
-  const opened = new Lesson(page);
-  await opened.expectTask(1);
+  // This message disappears by itself.
   await expect(corridor.message("You opened a lesson.")).toBeVisible();
+  await opened.expectTask(1);
   expect(new URL(page.url()).hash).toBe("");
   await opened.task(2).click();
   await opened.expectTask(2);
@@ -398,7 +231,7 @@ test("opens a lesson from a link, and shares it as a short link with a small pho
   await dialog.getByRole("button", { name: "Short link", exact: true }).click();
   await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
 
-  const recipient = await openWindow({ viewport: { width: 320, height: 640 }, hasTouch: true });
+  await recipient.page.setViewportSize({ width: 320, height: 640 });
   await recipient.open(await field.inputValue());
   const small = new Lesson(recipient.page);
   await small.expectTask(1);
@@ -415,4 +248,158 @@ test("opens a lesson from a link, and shares it as a short link with a small pho
     expect(box?.width).toBeGreaterThanOrEqual(44);
   }
   await expectNoAxeViolations(recipient.page, "a lesson of twelve tasks");
+}
+
+async function handIn({ corridor, page }: Opened, teacher: Page): Promise<void> {
+  const code = page.getByRole("region", { name: "Completion code" });
+  await expect(code).toContainText("not who wrote it, when, or with what help.");
+  await expectNoAxeViolations(page, "a completion code");
+  await code.getByRole("button", { name: "QR code" }).click();
+  await expect(code.locator("svg[viewBox]").last()).toBeVisible();
+  await code.getByRole("button", { name: "Copy code" }).click();
+  await expect(code.getByRole("status")).toHaveText(
+    "Completion code copied. It shows that this program passes, not who wrote it.",
+  );
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toMatch(/^[\w-]{10,40}$/);
+
+  const link = encodeLink({ lesson: inTurn });
+  const teach = new TeachPage(teacher);
+  await teach.openHandIns(link.ok ? link.text : "");
+  await teach.lines.fill(copied);
+  await teacher.getByRole("button", { name: "Check 1" }).click();
+  await expect(teacher.getByRole("row").nth(1)).toContainText("1 of 1");
+
+  // An edited program has not passed yet.
+  await corridor.program.addLine("front <", "50", "left 90");
+  await expect(code).toBeHidden();
+  await corridor.program.deleteAllLines();
+}
+
+async function continueSolved({ corridor, page, opened }: Opened): Promise<void> {
+  await page.reload();
+  await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
+  await opened.task(2).press("Enter");
+  await opened.expectTask(2);
+  await opened.task(1).click();
+  await opened.expectTask(1);
+  // The same lesson again continues where the student left it.
+  await drop(page, inTurn);
+  await opened.expectTask(2);
+  await opened.task(1).click();
+  await opened.expectTask(1);
+  await corridor.run.click();
+  const card = page.getByRole("region", { name: "Solved!" });
+  await card.getByRole("button", { name: "Next task" }).click();
+  await opened.expectTask(2);
+}
+
+test("counts a task as solved only after a check in its unseen mazes, whose failures can be watched, stops a check at once, and has a code for a drive by hand", async ({
+  corridor,
+  page,
+}) => {
+  const opened = new Lesson(page);
+  const student: Opened = { corridor, page, opened };
+  // A small window has the next step only once.
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await test.step("a task is solved after a check in its unseen mazes", () => checkUnseen(student));
+  await page.setViewportSize(wideWindow.viewport);
+  await test.step("a check stops at once, with the mazes so far", () => stopCheck(student));
+  await test.step("a missed goal is the end of the time, never wrong", () => missGoal(student));
+  await test.step("the completion code contains the commands of a drive by hand", async () => {
+    const allowed = { ...taskOf("").allowed, drivers: ["me"] as const };
+    await drop(page, { ...lesson, tasks: [{ ...taskOf("By hand"), allowed }] });
+    await expect(page.getByText("Solve By hand.")).toBeVisible();
+    await page.keyboard.down("w");
+    const code = page.getByRole("region", { name: "Completion code" });
+    await expect(code.getByRole("button", { name: "Copy code" })).toBeVisible();
+    await page.keyboard.up("w");
+    await corridor.waitForRobotToStop();
+    await expect(code.locator("code")).toHaveText(/^[\w-]{10,60}$/);
+  });
 });
+
+async function checkUnseen({ corridor, page, opened }: Opened): Promise<void> {
+  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 20, pass: 20 } as const;
+  const checks = { bumps: 0, seconds: 900 };
+  await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
+  await expect(opened.card).toContainText(
+    "Your program is also tested in unseen mazes. It must pass in 20 of 20.",
+  );
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(
+    page.getByRole("main").getByText("Works in this maze. Now check all 21."),
+  ).toHaveCount(2);
+  await expect(opened.task(1)).toHaveAccessibleName("1 Every maze");
+  const check = opened.card.getByRole("button", { name: "Check in all 21 mazes" });
+  await page.keyboard.press("Escape");
+  await check.click();
+  await expect(opened.outcome).toHaveText(/^Tree 1 of seed 7: Bump at /);
+  await expect(opened.card).toContainText(
+    /Passes in 1 of 21\. First failure: Tree 1 of seed 7, bump at \d+\.\d s, “otherwise”/,
+  );
+
+  await watchFailures({ corridor, page, opened });
+
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  await corridor.program.addLine("front <", "50", "left 90");
+  await check.click();
+  await expect(opened.outcome).toHaveText("Task solved. Lines used: 2 of 3");
+  await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
+}
+
+/** Plays the last seconds before a failure, and goes back to the task. */
+async function watchFailures({ corridor, page, opened }: Opened): Promise<void> {
+  const all = opened.card.getByText("All mazes that do not pass: 20");
+  await all.click();
+  const list = opened.card.getByRole("list", { name: "Mazes that do not pass" });
+  const last = list.getByRole("button").last();
+  const name = (await last.textContent()) ?? "";
+  expect(name).toMatch(/^Tree \d+ of seed 7$/);
+  await expectNoAxeViolations(page, "a check with failures");
+  await last.click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
+  await expect(corridor.message(/bump at/)).toBeVisible();
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await expect(opened.card).toBeHidden();
+  await page.getByRole("button", { name: "Back to the task" }).click();
+  await opened.expectTask(1);
+  // The result is still there: the next failure needs no second check.
+  await expect(all).toBeVisible();
+  await opened.card.getByRole("button", { name: "Watch" }).click();
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await page.getByRole("button", { name: "Back to the task" }).click();
+  await opened.expectTask(1);
+}
+
+async function stopCheck({ corridor, page, opened }: Opened): Promise<void> {
+  const unseen = { kind: "tree", columns: 33, rows: 33, seed: 7, count: 1_000, pass: 1 } as const;
+  const checks = { bumps: null, seconds: 3_600 };
+  await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
+  await expect(opened.card).toContainText("Solve Many.");
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await opened.card.getByRole("button", { name: "Check in all 1,001 mazes" }).click();
+  await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
+  const stop = opened.card.getByRole("button", { name: "Stop" });
+  await stop.click();
+  await expect(opened.card).toContainText(/Stopped after \d+ of 1,001\./);
+  await expect(opened.card.getByRole("button", { name: /^Check in all/ })).toBeFocused();
+}
+
+async function missGoal({ corridor, page, opened }: Opened): Promise<void> {
+  const checks = { bumps: 0, seconds: 2 };
+  await drop(page, { ...lesson, tasks: [taskOf("Slow", { checks, mazes: [straight, side] })] });
+  const { card } = new LessonsPanel(page);
+  await expect(card).toContainText("Solve Slow.");
+  await card.getByRole("button", { name: "Check in both mazes" }).click();
+  await expect(card.getByRole("note")).toHaveText(
+    "Maze 1: Goal not reached in 2 s. More time may be enough.",
+  );
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(card.getByRole("note")).toHaveText(
+    "Goal not reached in 2 s. More time may be enough.",
+  );
+  await expect(opened.card).toBeHidden();
+}
