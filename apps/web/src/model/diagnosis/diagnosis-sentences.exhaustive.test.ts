@@ -13,44 +13,9 @@ import { failureText } from "../lessons/failure-text.ts";
 import { lines } from "../lessons/missions/mission.ts";
 import { missions } from "../lessons/missions/missions.ts";
 import { solved } from "../lessons/missions/testing/causes.ts";
-import {
-  oneStepAnswers,
-  twoStepAnswers,
-  type WrongAnswer,
-} from "../lessons/missions/testing/wrong-answers.ts";
+import type { WrongAnswer } from "../lessons/missions/testing/wrong-answers.ts";
 import { diagnosisText, diagnosisWords } from "./diagnosis-text.ts";
 import { falseSentences } from "./testing/sentence-claims.ts";
-
-/** Returns the false sentences of the mission's card, for each maze that fails. */
-function falseIn({ challenge, program, name }: WrongAnswer): string[] {
-  const { verdict, diagnoses } = checkProgram({ task: taskOf(challenge), program });
-  return verdict.mazes.flatMap(({ failure }, at) => {
-    const maze = challenge.mazes[at];
-    if (failure === null || maze === undefined) return [];
-    const text = plain(failureText(words, challenge, failure, diagnoses[at] ?? null));
-    const own = text.replace(/^Maze \d: /u, "");
-    const end = failure.tick ?? challenge.checks.seconds * 60;
-    return falseSentences(maze, program, own, end).map(
-      (each) => `${name}, maze ${at + 1}: ${each} | ${own}`,
-    );
-  });
-}
-
-/**
- * One test for each answer: on a busy machine, all answers of a mission exceed the timeout of a
- * test.
- */
-const wrongAnswers = solved.flatMap(({ id, challenge, solution }) =>
-  [...oneStepAnswers(challenge, solution), ...twoStepAnswers(challenge, solution, 197)].map(
-    (answer) => ({ id, answer, name: answer.name }),
-  ),
-);
-
-describe("the texts of a mission about a wrong answer are true of its run", () => {
-  it.each(wrongAnswers)("$id, $name", ({ answer }) => {
-    expect(falseIn(answer)).toEqual([]);
-  });
-});
 
 /** A solution with another condition in one line. */
 function changed(id: string, line: number, when: Condition): WrongAnswer {

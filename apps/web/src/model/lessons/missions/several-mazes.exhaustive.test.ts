@@ -1,13 +1,12 @@
 /** The verdicts of a check in several mazes: they agree where one change repairs all of them. */
 import { taskOf } from "@corridor/challenge";
-import { causeLine, type Cause } from "@corridor/coach";
+import type { Cause } from "@corridor/coach";
 import type { Condition, ProgramDocument, Rule } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { checkProgram } from "../testing/check-program.ts";
 import { lines } from "./mission.ts";
 import { causes, solved } from "./testing/causes.ts";
-import { oneStepAnswers } from "./testing/wrong-answers.ts";
 
 const front = (is: "<" | ">", than: number, action: PlainAction): Rule => ({
   when: { sensor: "front", is, than },
@@ -28,16 +27,6 @@ function named(id: string, program: ProgramDocument): Cause[] {
 }
 
 describe("where one change repairs every maze", () => {
-  const missions = solved.filter(({ challenge }) => challenge.mazes.length > 1);
-
-  it.each(missions)("the mazes blame the same line ($id)", ({ id, challenge, solution }) => {
-    const differing = [...oneStepAnswers(challenge, solution)].filter(({ program }) => {
-      const blamed = named(id, program).map((cause) => causeLine({ cause }));
-      return new Set(blamed).size !== 1;
-    });
-    expect(differing.map(({ name }) => name)).toEqual([]);
-  });
-
   it("each maze names it, although the robot turns to and fro in one of them", () => {
     const program = lines("right 90", front(">", 50, "forward"), front("<", 50, "left 90"));
     const missing = { kind: "missing", sensor: "right", isWall: false };
