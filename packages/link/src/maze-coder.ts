@@ -21,7 +21,10 @@ import { BitModel, type BitCoder } from "./range-coder.ts";
 
 /** Returns the cells of a maze row by row, 1 for a block and 0 for an open cell. */
 export function cellsOf(maze: MazeDocument): Uint8Array {
-  return Uint8Array.from(maze.blocks.join(""), (mark) => (mark === BLOCK ? 1 : 0));
+  const marks = maze.blocks.join("");
+  const cells = new Uint8Array(marks.length);
+  for (let at = 0; at < cells.length; at++) if (marks[at] === BLOCK) cells[at] = 1;
+  return cells;
 }
 
 /**
@@ -126,19 +129,27 @@ function codeMarks(
     return open.cellAt(codeUniform(coder, open.count, goal === undefined ? 0 : open.indexOf(goal)));
   });
 
-  const blocks = Array.from({ length: rows }, (_, row) =>
-    Array.from(cells.subarray(row * columns, (row + 1) * columns), (cell) =>
-      cell === 1 ? BLOCK : OPEN,
-    ).join(""),
-  );
   return {
     format: "corridor/maze",
     version: 1,
     name: "",
-    blocks,
+    blocks: blocksOf(cells, columns, rows),
     start: { ...start, heading },
     goals,
   };
+}
+
+/** The inverse of `cellsOf`. Loops, because a lesson has up to 120 mazes of 65,536 cells. */
+function blocksOf(cells: Uint8Array, columns: number, rows: number): string[] {
+  const blocks: string[] = [];
+  for (let row = 0; row < rows; row++) {
+    let marks = "";
+    for (let column = 0; column < columns; column++) {
+      marks += cells[row * columns + column] === 1 ? BLOCK : OPEN;
+    }
+    blocks.push(marks);
+  }
+  return blocks;
 }
 
 /**
