@@ -25,7 +25,13 @@ export default defineConfig({
       },
       {
         // Sweeps over many programs, mazes and runs.
-        test: { name: "exhaustive", include: [exhaustive], exclude, testTimeout: 60_000 },
+        test: {
+          name: "exhaustive",
+          include: [exhaustive],
+          exclude,
+          isolate: false,
+          testTimeout: 60_000,
+        },
       },
       {
         // Tests that start relays, listen on sockets or open SQLite files, and in
