@@ -1,11 +1,12 @@
-/** Runs the command line in a real process with real files. */
+/** Runs the command line with real files: in a real process, and its texts in this process. */
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { generateTree } from "@corridor/maze";
 import { paperPrograms } from "@corridor/program/testing";
 import { afterAll, describe, expect, it } from "vitest";
+import { corridorHere } from "../../support/cli/run-here.ts";
 
 const folder = mkdtempSync(join(tmpdir(), "corridor-cli-"));
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -38,8 +39,8 @@ describe("help", () => {
     for (const name of names) expect(out).toMatch(new RegExp(`^  ${name} +[a-z]`, "m"));
   });
 
-  it.each(names)("of %s describes its usage, options and exit codes", (name) => {
-    const { code, out, errors } = corridor(name, "--help");
+  it.each(names)("of %s describes its usage, options and exit codes", async (name) => {
+    const { code, out, errors } = await corridorHere(name, "--help");
     expect({ code, errors }).toEqual({ code: 0, errors: "" });
     const [usage = "", ...rest] = out.split("\n\n");
     expect(usage).toContain(`corridor ${name} `);
@@ -58,8 +59,8 @@ describe("help", () => {
       found: "drive",
       answer: "The commands are simulate, grade, report, maze, conformance, ros, mcp, mms, viple.",
     },
-  ])("names the command that resembles $found", ({ found, answer }) => {
-    expect(corridor(found)).toEqual({
+  ])("names the command that resembles $found", async ({ found, answer }) => {
+    expect(await corridorHere(found)).toMatchObject({
       code: 2,
       out: "",
       errors: `Unknown command "${found}". ${answer} Run corridor --help to see all commands.\n`,
@@ -76,36 +77,38 @@ describe("simulate", () => {
     );
   });
 
-  it("reads a file that starts with a byte order mark", () => {
+  it("reads a file that starts with a byte order mark", async () => {
     const withMark = file("with-mark.json", `\uFEFF${JSON.stringify(paperPrograms[1]?.program)}`);
-    const { out } = corridor("simulate", "--maze", maze, "--program", withMark);
-    expect(out).toBe(corridor("simulate", "--maze", maze, "--program", rightWall).out);
+    const args = ["simulate", "--maze", maze, "--program"];
+    const { code, out } = await corridorHere(...args, withMark);
+    expect(code).toBe(0);
+    expect(out).toBe((await corridorHere(...args, rightWall)).out);
   });
 
-  it("stops at the goal with --until goal", () => {
-    const whole = JSON.parse(corridor("simulate", "--maze", maze, "--program", rightWall).out);
-    const args = ["--maze", maze, "--program", rightWall, "--until", "goal"];
-    const short = JSON.parse(corridor("simulate", ...args).out);
+  it("stops at the goal with --until goal", async () => {
+    const args = ["simulate", "--maze", maze, "--program", rightWall];
+    const whole = JSON.parse((await corridorHere(...args)).out);
+    const short = JSON.parse((await corridorHere(...args, "--until", "goal")).out);
     expect(short.ticks).toBe(whole.goal.tick);
     expect(short.goal).toEqual(whole.goal);
   });
 
-  it("stops at the first bump with --until bump", () => {
-    const args = ["--maze", maze, "--program", wrong, "--until", "bump"];
-    expect(JSON.parse(corridor("simulate", ...args).out)).toMatchObject({ bumps: 1 });
+  it("stops at the first bump with --until bump", async () => {
+    const args = ["simulate", "--maze", maze, "--program", wrong, "--until", "bump"];
+    expect(JSON.parse((await corridorHere(...args)).out)).toMatchObject({ bumps: 1 });
   });
 
-  it("prints the same digest for the same inputs, and a different one for different inputs", () => {
+  it("prints the same digest for the same inputs, and a different one for different inputs", async () => {
     const args = ["simulate", "--maze", maze, "--digest", "--seconds", "20"];
     const first = corridor(...args, "--program", rightWall);
     expect(first.code).toBe(0);
-    expect(corridor(...args, "--program", rightWall).out).toBe(first.out);
-    expect(corridor(...args, "--program", wrong).out).not.toBe(first.out);
+    expect((await corridorHere(...args, "--program", rightWall)).out).toBe(first.out);
+    expect((await corridorHere(...args, "--program", wrong)).out).not.toBe(first.out);
     const commands = file("commands.json", [
       { tick: 0, command: { action: "drive", left: 0.31, right: 0.3 } },
       { tick: 200, command: { action: "left 90" } },
     ]);
-    const commanded = corridor(...args, "--commands", commands);
+    const commanded = await corridorHere(...args, "--commands", commands);
     expect(commanded.code).toBe(0);
     expect(commanded.out).not.toBe(first.out);
   });
@@ -139,18 +142,20 @@ describe("grade", () => {
     });
   });
 
-  it("prints the same results on all cores as on one", () => {
-    const mazes = [1, 2, 3].map((seed) =>
-      file(`tree-${seed}.json`, generateTree({ columns: 15, rows: 15, seed, name: `${seed}` })),
-    );
-    const args = ["--program", rightWall, wrong, "--maze", ...mazes];
-    const parallel = corridor("grade", ...args, "--seconds", "4000");
+  it("prints the same results on all cores as on one", async () => {
+    // The first run takes so long that the other cores start and get the rest.
+    const mazes = [1, 2, 3, 4, 5, 6].map((seed) => {
+      const tree = generateTree({ columns: 15, rows: 15, seed, name: `${seed}` });
+      return file(`tree-${seed}.json`, seed === 1 ? { ...tree, goals: [] } : tree);
+    });
+    const limits = ["--seconds", "4000", "--until", "goal"];
+    const parallel = corridor("grade", "--program", rightWall, "--maze", ...mazes, ...limits);
     const lines = parallel.out.trim().split("\n").slice(0, -1);
     expect(lines).toHaveLength(6);
     for (const line of lines) {
       const { program, maze: mazeFile, ...rest } = JSON.parse(line);
-      const alone = ["--program", program, "--maze", mazeFile, "--seconds", "4000"];
-      expect(JSON.parse(corridor("simulate", ...alone).out)).toEqual(rest);
+      const alone = ["simulate", "--program", program, "--maze", mazeFile, ...limits];
+      expect(JSON.parse((await corridorHere(...alone)).out)).toEqual(rest);
     }
   });
 
@@ -177,7 +182,7 @@ describe("maze", () => {
     });
   });
 
-  it("converts a maze to every format and back, also the name of a document", () => {
+  it("converts a maze to every format and back, also the name of a document", async () => {
     const walls = generateTree({ columns: 33, rows: 33, seed: 4, name: "tree" }).blocks;
     const goals = [15, 17].flatMap((row) => [15, 17].map((column) => ({ column, row })));
     const start = { column: 1, row: 31, heading: "north" };
@@ -192,33 +197,41 @@ describe("maze", () => {
     const original = file("tree.json", document);
     const main = new URL("../../../apps/cli/src/main.ts", import.meta.url).pathname;
     for (const format of ["json", "text", "map", "num", "maz"]) {
-      const args = [main, "maze", original, "--to", format];
-      const { stdout } = spawnSync(process.execPath, args, { encoding: "buffer" });
-      const written = file(`tree.${format}`, new Uint8Array(stdout));
-      expect(JSON.parse(corridor("maze", written, "--to", "json").out)).toEqual(document);
+      const { bytes } = await corridorHere("maze", original, "--to", format);
+      const written = file(`tree.${format}`, new Uint8Array(bytes));
+      const { out } = await corridorHere("maze", written, "--to", "json");
+      expect(JSON.parse(out)).toEqual(document);
     }
+    // A process does not change the bytes of the binary format.
+    const { stdout } = spawnSync(process.execPath, [main, "maze", original, "--to", "maz"]);
+    expect(stdout).toEqual(readFileSync(join(folder, "tree.maz")));
   });
 
-  it("opens contest mazes wherever a command takes mazes", () => {
+  it("opens contest mazes wherever a command takes mazes", async () => {
     const args = ["--program", rightWall, "--until", "goal"];
     const open = file("open.map", drawing.replace("o---o\n|   | G |", "o   o\n|   | G |"));
-    expect(JSON.parse(corridor("simulate", "--maze", open, ...args).out)).toMatchObject({
-      goal: { reached: true },
-    });
+    const { out } = await corridorHere("simulate", "--maze", open, ...args);
+    expect(JSON.parse(out)).toMatchObject({ goal: { reached: true } });
     const [line = ""] = corridor("grade", "--maze", open, ...args).out.split("\n");
     expect(JSON.parse(line)).toMatchObject({ maze: open, goal: { reached: true } });
   });
 
-  it("ignores a description after a drawing, in any encoding", () => {
+  it("ignores a description after a drawing, in any encoding", async () => {
     const described = file("latin.map", Buffer.from(`${drawing}\nS\u00E3o Paulo`, "latin1"));
-    expect(corridor("maze", described).code).toBe(0);
+    expect((await corridorHere("maze", described)).code).toBe(0);
   });
 });
 
 describe("invalid input", () => {
   const broken = file("broken.json", { ...paperPrograms[1]?.program, default: "fly" });
+
+  it("ends the process with code 2, and prints only to standard error", () => {
+    const { code, out, errors } = corridor();
+    expect({ code, out }).toEqual({ code: 2, out: "" });
+    expect(errors).toContain("Expected a command.\n\nUsage: corridor COMMAND");
+  });
+
   it.each([
-    { name: "no command", args: [], message: "Expected a command.\n\nUsage: corridor COMMAND" },
     { name: "no robot", args: ["conformance"], message: "address: found nothing, expected" },
     {
       name: "gateways and no robot",
@@ -308,20 +321,24 @@ describe("invalid input", () => {
       message: '--until: found "dawn", expected one of time, goal, bump',
     },
     { name: "no maze", args: ["grade", "--program", rightWall], message: "--maze: found nothing" },
-  ])("exits with code 2 and prints only to standard error: $name", ({ args, message }) => {
-    const { code, out, errors } = corridor(...args);
+  ])("exits with code 2 and prints only to standard error: $name", async ({ args, message }) => {
+    const { code, out, errors } = await corridorHere(...args);
     expect({ code, out }).toEqual({ code: 2, out: "" });
     expect(errors).toContain(message);
   });
 
-  it("does not print the key of an address", () => {
-    const { errors } = corridor("conformance", "http://localhost/r/abc#0123456789", "more");
+  it("does not print the key of an address", async () => {
+    const { errors } = await corridorHere(
+      "conformance",
+      "http://localhost/r/abc#0123456789",
+      "more",
+    );
     expect(errors).toContain("address: found 2 arguments");
     expect(errors).not.toContain("0123456789");
   });
 
-  it("reports every problem of every file", () => {
-    const { errors } = corridor("grade", "--program", broken, maze, "--maze", broken);
+  it("reports every problem of every file", async () => {
+    const { errors } = await corridorHere("grade", "--program", broken, maze, "--maze", broken);
     expect(errors.trim().split("\n").length).toBeGreaterThan(4);
   });
 });

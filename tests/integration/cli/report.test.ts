@@ -1,10 +1,11 @@
-/** Reports on a class in a real process with real files. */
+/** Reports on a class with real files: once in a real process, then in this process. */
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, describe, expect, it } from "vitest";
+import { corridorHere } from "../../support/cli/run-here.ts";
 
 const folder = mkdtempSync(join(tmpdir(), "corridor-report-"));
 afterAll(() => rmSync(folder, { recursive: true }));
@@ -13,30 +14,21 @@ const paper = (name: string) =>
   fileURLToPath(new URL(`../../../packages/report/src/testing/${name}`, import.meta.url));
 const paperFiles = [paper("table-10-times.csv"), paper("table-9-survey.csv")];
 
-function report(...args: string[]) {
-  const main = fileURLToPath(new URL("../../../apps/cli/src/main.ts", import.meta.url));
-  const options = { cwd: folder, encoding: "utf8" } as const;
-  const { status, stdout, stderr } = spawnSync(
-    process.execPath,
-    [main, "report", ...args],
-    options,
-  );
-  return { code: status, output: stdout, errors: stderr.trimEnd().split("\n") };
-}
-
 function file(name: string, text: string): string {
-  writeFileSync(join(folder, name), text);
-  return name;
+  const path = join(folder, name);
+  writeFileSync(path, text);
+  return path;
 }
 
 describe("corridor report", () => {
   it("prints the numbers of the study of 2013 from its files", () => {
     const mistakes = ["control_flow=1", "navigation=3", "correctness=3"];
-    const { code, output } = report(
-      ...paperFiles,
-      ...mistakes.flatMap((each) => ["--mistakes", each]),
-    );
-    expect(code).toBe(0);
+    const main = fileURLToPath(new URL("../../../apps/cli/src/main.ts", import.meta.url));
+    const args = [...paperFiles, ...mistakes.flatMap((each) => ["--mistakes", each])];
+    const { status, stdout: output } = spawnSync(process.execPath, [main, "report", ...args], {
+      encoding: "utf8",
+    });
+    expect(status).toBe(0);
     for (const line of [
       /^28 students$/m,
       /^right_wall +28 of 28 \(100 %\) +5:17 +4:30 +3:53 +0:30 +14:00 +2 lines \(5 in the paper\)$/m,
@@ -51,30 +43,31 @@ describe("corridor report", () => {
     }
   });
 
-  it("prints a table that it reads again with the same result", () => {
-    const table = file("all.csv", report(...paperFiles, "--csv").output);
-    expect(report(table).output).toBe(report(...paperFiles).output);
+  it("prints a table that it reads again with the same result", async () => {
+    const table = file("all.csv", (await corridorHere("report", ...paperFiles, "--csv")).out);
+    const { code, out } = await corridorHere("report", table);
+    expect(code).toBe(0);
+    expect(out).toBe((await corridorHere("report", ...paperFiles)).out);
   });
 
-  it("prints no mean of one student", () => {
-    const { output } = report(file("one.csv", "student,task,seconds,lines\nJuniper,1,60,2\n"));
-    expect(output).toMatch(/^1 student: too few for a mean$/m);
-    expect(output).toMatch(
-      /^1 +1 of 1 \(100 %\) +too few +too few +too few +1:00 +1:00 +too few$/m,
-    );
+  it("prints no mean of one student", async () => {
+    const table = file("one.csv", "student,task,seconds,lines\nJuniper,1,60,2\n");
+    const { out } = await corridorHere("report", table);
+    expect(out).toMatch(/^1 student: too few for a mean$/m);
+    expect(out).toMatch(/^1 +1 of 1 \(100 %\) +too few +too few +too few +1:00 +1:00 +too few$/m);
   });
 
-  it("counts all students in every task, and says who opened it", () => {
+  it("counts all students in every task, and says who opened it", async () => {
     const rows = ["Juniper,1,60,2", "Comet,1,,0", "Comet,2,,4", "Pixel,,,"];
     const text = ["student,task,seconds,attempts", ...rows].join("\n");
-    const { output } = report(file("two.csv", text));
+    const { out } = await corridorHere("report", file("two.csv", text));
     for (const line of [
       /^1 +1 of 3 \(33 %\) +too few/m,
       /^2 +0 of 3 \(0 %\) +too few/m,
       /^1 +2 of 3 +1 +- /m,
       /^2 +1 of 3 +too few +- /m,
     ]) {
-      expect(output).toMatch(line);
+      expect(out).toMatch(line);
     }
   });
 
@@ -102,10 +95,11 @@ describe("corridor report", () => {
       ],
     },
     { name: "an unknown option", args: ["--json"], says: ["Unknown option '--json'"] },
-  ])("explains invalid input: $name", ({ args, says }) => {
-    const { code, errors } = report(...args);
+  ])("explains invalid input: $name", async ({ args, says }) => {
+    const { code, errors } = await corridorHere("report", ...args);
     expect(code).toBe(2);
-    expect(errors).toHaveLength(says.length);
-    for (const [index, start] of says.entries()) expect(errors[index]).toContain(start);
+    const problems = errors.trimEnd().split("\n");
+    expect(problems).toHaveLength(says.length);
+    for (const [index, start] of says.entries()) expect(problems[index]).toContain(start);
   });
 });
