@@ -484,16 +484,20 @@ describe("HostLink with a stored world", () => {
     expect(platform.socket.isClosed).toBe(true);
   });
 
-  it("stays open if it is opened again before these are stored", async () => {
-    const { platform, link, saved, sent } = savingHost();
+  it("reconnects if it is opened again before these are stored: it has ignored messages", async () => {
+    const { platform, link, commands, welcome, saved, sent } = savingHost();
     platform.socket.receive(command(1));
     link.started(1);
     link.ended(1, done);
     link.close();
+    platform.socket.receive(command(2));
     link.open();
+    expect(platform.sockets.map(({ isClosed }) => isClosed)).toEqual([true, false]);
+    welcome(2);
+    platform.socket.receive(command(2));
     await saved();
-    expect(sent().at(-1)).toMatchObject({ type: "ended", seq: 1 });
-    expect(platform.socket.isClosed).toBe(false);
+    expect(sent().at(-1)).toMatchObject({ type: "ended", seq: 1, epoch: 2 });
+    expect(commands).toEqual([1, 2]);
     expect(link.isConnected).toBe(true);
   });
 

@@ -207,6 +207,8 @@ export class HostLink {
    */
   open(): void {
     if (this.#isReplaced) return;
+    // The connection has ignored messages since `close`. The relay sends them again on a new one.
+    if (this.#isClosing) this.#connection.close();
     this.#isClosing = false;
     this.#connection.open();
   }
