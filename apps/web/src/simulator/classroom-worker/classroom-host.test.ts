@@ -117,6 +117,34 @@ describe("the host of a dashboard", () => {
     expect(changed.map(({ student }) => student)).toEqual([1, 2]);
   });
 
+  it("reads the class once more after a gap that arrives while it is read", async () => {
+    const { settled, relay, reads, posted, welcome, receive, pass } = newHost();
+    await settled();
+    welcome(4);
+    const readings = () => reads.filter((path) => !path.endsWith("/lesson")).length;
+    const classAt = (n: number, student: number) => {
+      const students = [{ ...studentView(student), progress: [] }];
+      return {
+        status: 200,
+        text: JSON.stringify(classView(students, { since: `${STREAM}-${n}` })),
+      };
+    };
+    relay.class = classAt(9, 1);
+    receive({ type: "gap", n: 8 });
+    await Promise.resolve();
+    receive({ type: "gap", n: 20 });
+    await Promise.resolve();
+    relay.class = classAt(21, 2);
+    await settled();
+    pass();
+    expect(
+      posted("students")
+        .at(-1)
+        ?.changed.map(({ student }) => student),
+    ).toContain(2);
+    expect(readings()).toBe(3);
+  });
+
   it("reads a lesson that the teacher sends from another device", async () => {
     const { settled, reads, welcome, receive } = newHost();
     await settled();

@@ -55,6 +55,8 @@ export class ClassroomHost {
   #time: ClassTime = { at: 0, activeMs: 0, pauseEndsAt: null, ahead: 0 };
   /** events that arrive while the class is read; null: it is not read now */
   #queued: ClassEvent[] | null = null;
+  /** a gap arrived while the class was read: that response may be older than the gap */
+  #isOutdated = false;
   /** version of the lesson that the page has or receives soon */
   #lesson: string | null = null;
   #cancelPost: (() => void) | null = null;
@@ -86,6 +88,7 @@ export class ClassroomHost {
   /** Reads the class, and connects after the first time. */
   async #read(): Promise<void> {
     this.#queued ??= [];
+    this.#isOutdated = false;
     const text = await this.#get("");
     if (text === null) return;
     const read = readJson(classViewSchema, text, MAX_VIEW_LENGTH);
@@ -103,6 +106,7 @@ export class ClassroomHost {
     const newest = numberOf(view.since);
     for (const event of this.#queued ?? []) if (event.n > newest) this.#follow(event);
     this.#queued = null;
+    if (this.#isOutdated) void this.#read();
     this.#postSoon();
     this.#link ??= new TeachLink({
       origin: this.#ports.origin,
@@ -134,6 +138,7 @@ export class ClassroomHost {
         return;
       case "gap":
         if (this.#queued === null) void this.#read();
+        else this.#isOutdated = true;
         return;
       case "problem":
         return;
