@@ -1,5 +1,12 @@
 /** The private parts of a client that its port uses. They are not part of the library's interface. */
-import type { CommandRecord, Marks, Order, RelayToDriver, Snapshot } from "@corridor/protocol";
+import type {
+  CommandRecord,
+  Marks,
+  Obstacle,
+  Order,
+  RelayToDriver,
+  Snapshot,
+} from "@corridor/protocol";
 import type { ApiOptions } from "./api-request.ts";
 import type { ClientError } from "./client-error.ts";
 
@@ -7,6 +14,8 @@ export interface ClientParts {
   api: ApiOptions;
   /** the newest snapshot; null before the first */
   newest(): Snapshot | null;
+  /** why the robot does not continue; null: it does, or it has never reported */
+  obstacle(): Obstacle | null;
   /** why the client has ended; null: it has not */
   end(): ClientError | null;
   /** Sends a valid command. @returns the record, once it is stored */

@@ -3,7 +3,6 @@
  * `RobotClient`, so it survives lost connections, and works with a physical robot.
  */
 import {
-  ABSENT_ROBOT_REASON,
   checkCommand,
   commandRecordSchema,
   hasEnded,
@@ -11,7 +10,7 @@ import {
   READ_ONLY,
   readJson,
   RefusedError,
-  SILENT_ROBOT_REASON,
+  waitingReason,
   type CommandRecord,
   type Marks,
   type Order,
@@ -184,11 +183,10 @@ class ClientPort implements MarkingPort {
     });
   }
 
-  /** Why a command does not end, as the relay explains it. */
+  /** Why a command does not end; null if the robot is neither gone nor paused. */
   #waitingReason(): string | null {
-    const state = this.#parts.newest()?.state;
-    if (state === "running") return null;
-    return state === "paused" ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON;
+    const obstacle = this.#parts.newest() === null ? "absent" : this.#parts.obstacle();
+    return obstacle === null ? null : waitingReason(obstacle);
   }
 
   async #requestEnd(seq: number, milliseconds: number): Promise<CommandRecord> {

@@ -6,6 +6,7 @@ import {
   sinceOf,
   type CommandRecord,
   type Marks,
+  type Obstacle,
   type Order,
   type RelayToDriver,
   type Snapshot,
@@ -22,6 +23,7 @@ import { EventInbox, type RobotEvent } from "./event-inbox.ts";
 import { SilentRobotNotice, UnreachableNotice } from "./notices.ts";
 import type { Platform } from "./platform.ts";
 import type { RobotAddress } from "./robot-address.ts";
+import { RobotObstacle } from "./robot-obstacle.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
 export interface DriverLinkOptions {
@@ -48,6 +50,7 @@ export class DriverLink implements ClientParts {
   readonly #events = new Set<EventInbox>();
   readonly #acknowledgements = new DelayedAcknowledgements();
   readonly #commands: CommandQueue;
+  readonly #obstacle = new RobotObstacle();
   readonly #silence: SilentRobotNotice;
   readonly #unreachable: UnreachableNotice;
   #welcomed: () => void = () => undefined;
@@ -116,6 +119,10 @@ export class DriverLink implements ClientParts {
 
   newest(): Snapshot | null {
     return this.snapshots.newest;
+  }
+
+  obstacle(): Obstacle | null {
+    return this.#obstacle.current;
   }
 
   end(): ClientError | null {
@@ -201,7 +208,8 @@ export class DriverLink implements ClientParts {
 
   #read(snapshot: Snapshot): void {
     this.snapshots.put(snapshot);
-    this.#silence.read(snapshot);
+    this.#obstacle.read(snapshot);
+    this.#silence.found(this.#obstacle.current);
     this.#publish({ kind: "snapshot", snapshot });
     // The next long poll acknowledges it.
     if (this.#connection.transport === "long-poll") return;

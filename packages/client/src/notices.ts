@@ -1,10 +1,5 @@
 /** Lines on standard error, or in a browser's console, that explain to a script why it waits. */
-import {
-  ABSENT_ROBOT_REASON,
-  PAUSED_RUN_REASON,
-  SILENT_ROBOT_REASON,
-  type Snapshot,
-} from "@corridor/protocol";
+import { waitingReason, type Obstacle } from "@corridor/protocol";
 import type { ConnectionStatus } from "./connection.ts";
 import type { Clock } from "./platform.ts";
 
@@ -40,8 +35,7 @@ export class SilentRobotNotice {
   readonly #alarm: Alarm;
   readonly #warn: Warn;
   #isWaiting = false;
-  #reason: string | null = null;
-  #newestSeq: number | null = null;
+  #obstacle: Obstacle | null = null;
 
   constructor(clock: Clock, warn: Warn) {
     this.#alarm = new Alarm(clock);
@@ -54,25 +48,17 @@ export class SilentRobotNotice {
     this.#update();
   }
 
-  read(snapshot: Snapshot): void {
-    this.#reason = this.#reasonOf(snapshot);
-    this.#newestSeq = Math.max(this.#newestSeq ?? 0, snapshot.seq);
+  /** @param obstacle why the robot does not continue; null: it does */
+  found(obstacle: Obstacle | null): void {
+    this.#obstacle = obstacle;
     this.#update();
   }
 
-  #reasonOf({ seq, state }: Snapshot): string | null {
-    if (state === "running") return null;
-    if (state === "gone") return ABSENT_ROBOT_REASON;
-    // The page reports that it is paused; the relay repeats the last snapshot of one that is asleep.
-    const isReported = this.#newestSeq !== null && seq > this.#newestSeq;
-    return isReported || this.#reason === PAUSED_RUN_REASON
-      ? PAUSED_RUN_REASON
-      : SILENT_ROBOT_REASON;
-  }
-
   #update(): void {
-    if (!this.#isWaiting || this.#reason === null) return this.#alarm.reset();
-    this.#alarm.start(SILENCE_MS, () => this.#warn(this.#reason ?? ""));
+    if (!this.#isWaiting || this.#obstacle === null) return this.#alarm.reset();
+    this.#alarm.start(SILENCE_MS, () => {
+      if (this.#obstacle !== null) this.#warn(waitingReason(this.#obstacle));
+    });
   }
 }
 

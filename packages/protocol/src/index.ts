@@ -102,12 +102,7 @@ export {
 } from "./condition.ts";
 export { commandRecordSchema, idempotencyKeySchema, type CommandRecord } from "./command-record.ts";
 export { hasEnded, type CommandState, type EndingState } from "./command-state.ts";
-export {
-  ABSENT_ROBOT_REASON,
-  expiredReason,
-  PAUSED_RUN_REASON,
-  SILENT_ROBOT_REASON,
-} from "./expired-reason.ts";
+export { expiredReason, waitingReason, type Obstacle } from "./expired-reason.ts";
 export {
   BLOCKED_REASON,
   PAUSED_REASON,

@@ -6,12 +6,11 @@
 import {
   closeReasons,
   hasEnded,
-  ABSENT_ROBOT_REASON,
-  PAUSED_RUN_REASON,
   RefusedError,
-  SILENT_ROBOT_REASON,
+  waitingReason,
   type CommandRecord,
   type CommandTerms,
+  type Obstacle,
   type ScriptView,
 } from "@corridor/protocol";
 import { asRefusal } from "../platform/errors/problems.ts";
@@ -271,16 +270,15 @@ export class Robot {
     const record = await this.#life.log.endOf(seq, waitLimit);
     const hasWaited = waitLimit.milliseconds > 0;
     if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
-    return { ...record, reason: this.#waitingReason() };
+    return { ...record, reason: waitingReason(this.#obstacle()) };
   }
 
   /** Why a command does not end, if the robot is gone or paused. */
-  #waitingReason(): string {
-    if (!this.#ownership.isOwned) return ABSENT_ROBOT_REASON;
+  #obstacle(): Obstacle {
+    if (!this.#ownership.isOwned) return "absent";
     // While another driver has the robot, its page ends commands at once. A relay without the page
     // cannot distinguish a paused run from a page that is asleep.
-    const isRunPaused = this.hasPage && this.#view.isRunPaused;
-    return isRunPaused ? PAUSED_RUN_REASON : SILENT_ROBOT_REASON;
+    return this.hasPage && this.#view.isRunPaused ? "paused" : "asleep";
   }
 
   /** Records a message of a script on its connection. */

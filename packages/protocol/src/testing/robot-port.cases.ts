@@ -172,6 +172,16 @@ export function robotPortCases(name: string, create: () => Promise<PortWorld>): 
       expect((await end).state).toBe("started");
     });
 
+    it("reports that a paused run is why its command does not end", async () => {
+      const { world, port, seq } = await running();
+      await vi.waitFor(async () => expect((await port.endOf(seq, 0)).state).toBe("started"));
+      world.page.report({ tick: 61, state: "paused" });
+      await vi.waitFor(() => expect(port.newest?.state).toBe("paused"));
+      const end = port.endOf(seq, 50);
+      await world.pass(50);
+      expect((await end).reason).toBe("The run is paused: press Run on the robot's page.");
+    });
+
     it("is informed of the end of another port's command", async () => {
       const { world, seq } = await running();
       const other = await world.open("watch");
