@@ -1,5 +1,6 @@
 /** Single requests to the API of a robot, besides its connection. */
-import type { Platform } from "./platform.ts";
+import type { HttpResponse, Platform } from "./platform.ts";
+import { isTemporary, retryDelay } from "./temporary-failure.ts";
 
 /** Delay before a failed request is repeated. */
 const RETRY_MS = 1_000;
@@ -13,15 +14,9 @@ export interface ApiOptions {
   timeoutMs: number;
 }
 
-export interface ApiResponse {
-  status: number;
-  body: string;
-  etag?: string | null;
-}
-
 export interface ApiRequest {
   /** null if there is no response in time, or after `cancel` */
-  response: Promise<ApiResponse | null>;
+  response: Promise<HttpResponse | null>;
   cancel(): void;
 }
 
@@ -38,16 +33,16 @@ export function requestApi(
   const end = clock.now() + timeoutMs;
   let isCancelled = false;
   let cancelPending = (): void => undefined;
-  const send = async (): Promise<ApiResponse | null> => {
+  const send = async (): Promise<HttpResponse | null> => {
     while (request !== undefined && clock.now() < end && !isCancelled) {
       const pending = request({ method, url: `${api}${path}`, key, body: null });
       cancelPending = () => pending.cancel();
       const cancelTimer = clock.after(end - clock.now(), cancelPending);
       const response = await pending.response.catch(() => null);
       cancelTimer();
-      if (response !== null && response.status < 500 && response.status !== 429) return response;
+      if (response !== null && !isTemporary(response)) return response;
       await new Promise<void>((resolve) => {
-        const stopWaiting = clock.after(RETRY_MS, resolve);
+        const stopWaiting = clock.after(retryDelay(response, RETRY_MS), resolve);
         cancelPending = () => {
           stopWaiting();
           resolve();

@@ -21,10 +21,11 @@ import {
   type RobotPort,
   type Snapshot,
 } from "@corridor/protocol";
-import { requestApi, type ApiRequest, type ApiResponse } from "./api-request.ts";
+import { requestApi, type ApiRequest } from "./api-request.ts";
 import { ClientError } from "./client-error.ts";
 import { clientParts, type ClientParts } from "./client-parts.ts";
 import { isWatchKey } from "./close-error.ts";
+import type { HttpResponse } from "./platform.ts";
 import type { RobotClient } from "./robot-client.ts";
 
 /** Commands whose newest record is in memory: more than a robot may have waiting. */
@@ -195,7 +196,7 @@ class ClientPort implements MarkingPort {
   }
 
   /** @param waitMs time that the relay may wait before it responds */
-  async #request(method: "GET" | "DELETE", path: string, waitMs = 0): Promise<ApiResponse> {
+  async #request(method: "GET" | "DELETE", path: string, waitMs = 0): Promise<HttpResponse> {
     const { api } = this.#parts;
     const timeoutMs = api.timeoutMs + waitMs;
     const request = requestApi({ ...api, timeoutMs }, method, path);
@@ -220,7 +221,7 @@ class ClientPort implements MarkingPort {
   }
 }
 
-function recordIn({ body }: ApiResponse): CommandRecord {
+function recordIn({ body }: HttpResponse): CommandRecord {
   const record = readJson(commandRecordSchema, body, MAX_RECORD);
   if (!record.ok) throw unreachable();
   return record.value;
@@ -260,7 +261,7 @@ function refused(error: unknown): RefusedError {
   return isKnown ? refusal(code, hint, error) : unreachable(error);
 }
 
-function refusedResponse({ body }: ApiResponse): RefusedError {
+function refusedResponse({ body }: HttpResponse): RefusedError {
   const problem = readJson(problemSchema, body, MAX_RECORD);
   return problem.ok ? new RefusedError(problem.value) : unreachable();
 }

@@ -17,6 +17,7 @@ import { ClientError } from "./client-error.ts";
 import { CommandTimes } from "./command-times.ts";
 import type { OutgoingMessage } from "./long-poll-connection.ts";
 import type { Platform } from "./platform.ts";
+import { isTemporary } from "./temporary-failure.ts";
 
 /** Delay before a command is sent again after the relay was busy. */
 const BUSY_DELAY_MS = 500;
@@ -161,7 +162,7 @@ export class CommandQueue {
     const [first] = this.#queue;
     if (first === undefined || (key !== null && key !== first.key)) return;
     if (key !== null) this.#times.answered();
-    if (problem.status === 429 || problem.status >= 500) {
+    if (isTemporary(problem)) {
       this.#cancelRetry();
       const { clock } = this.#options.platform;
       this.#cancelRetry = clock.after(BUSY_DELAY_MS, () => this.#sendFirst());

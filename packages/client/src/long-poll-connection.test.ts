@@ -13,7 +13,7 @@ interface Sent {
   messages: { type: string; command?: { age?: number } }[];
 }
 
-type Fetched = () => { status: number; body: string };
+type Fetched = () => { status: number; body: string; retryAfter?: string };
 
 /** A network that blocks WebSockets, in front of a relay that sends its welcome. */
 class LongPollNetwork extends FakePlatform {
@@ -128,6 +128,17 @@ it.each([1, 2, 3, 4, 5, 6])(
     expect(await resumedMs(1_000, luckOf)).toBeLessThanOrEqual(2_000);
   },
 );
+
+it("fetches wait for the seconds of Retry-After, and resume soon after them", async () => {
+  const overloaded = () => ({ status: 503, body: "", retryAfter: "3" });
+  const { platform } = await interruptedConnection(overloaded);
+  await platform.passInTurns(300);
+  const before = platform.fetchedAt.length;
+  await platform.passInTurns(2_900);
+  expect(platform.fetchedAt).toHaveLength(before);
+  await platform.passInTurns(600);
+  expect(platform.fetchedAt).toHaveLength(before + 1);
+});
 
 it("fetches resume soon after a post has succeeded", async () => {
   const { platform, connection } = await interruptedConnection();

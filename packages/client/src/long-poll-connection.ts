@@ -9,8 +9,9 @@ import {
   type SocketEvents,
   type SocketPort,
 } from "@corridor/protocol";
-import type { SendRequest, Platform } from "./platform.ts";
+import type { HttpResponse, SendRequest, Platform } from "./platform.ts";
 import { FIRST_DELAY_MS, Backoff } from "./backoff.ts";
+import { isTemporary, retryDelay } from "./temporary-failure.ts";
 
 /** Bounds of the wait of a long poll, in seconds. The relay permits at most 25. */
 const MAX_WAIT = 25;
@@ -209,7 +210,7 @@ export class LongPollConnection implements SocketPort {
         this.hurry();
         return response;
       }
-      const isFinal = response !== null && response.status < 500 && response.status !== 429;
+      const isFinal = response !== null && !isTemporary(response);
       const now = this.#platform.clock.now();
       failedSince ??= response === null ? start : now;
       // The failure of a long wait does not prove that the connection is lost; the next request
@@ -223,7 +224,8 @@ export class LongPollConnection implements SocketPort {
         return null;
       }
       retries.isLost = response === null;
-      await this.#delayRetry(retries, retries.backoff.next(now, this.#platform.random()));
+      const delayMs = retries.backoff.next(now, this.#platform.random());
+      await this.#delayRetry(retries, retryDelay(response, delayMs));
     }
     return null;
   }
@@ -298,11 +300,6 @@ export class LongPollConnection implements SocketPort {
 
 function noFailure(): Retries {
   return { backoff: new Backoff(), isLost: false, hurry: () => undefined };
-}
-
-interface HttpResponse {
-  status: number;
-  body: string;
 }
 
 /** The close code that corresponds to an HTTP error. */

@@ -63,6 +63,12 @@ describe("pairing by a code", () => {
     expect(requests.map(({ method }) => method)).toEqual(["POST", "POST", "GET"]);
   });
 
+  it.each([408, 425, 500])("sends a request again after the status %i", async (status) => {
+    const { requests, pair } = withAnswers({ status, body: "" }, requested, answered(ADDRESS));
+    expect(await pair()).toBe(ADDRESS);
+    expect(requests).toHaveLength(3);
+  });
+
   it("sends no request for an invalid code or address", async () => {
     const { requests, pair } = withAnswers(requested);
     await expect(pair("ABCDEFGH")).rejects.toMatchObject({ code: "wrong-code" });

@@ -7,7 +7,9 @@ import {
   readValue,
 } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
-import type { HttpRequest, Platform } from "./platform.ts";
+import { Backoff } from "./backoff.ts";
+import type { HttpRequest, HttpResponse, Platform } from "./platform.ts";
+import { isTemporary, retryDelay } from "./temporary-failure.ts";
 
 const MAX_RESPONSE = 4_096;
 /** Wait of a long poll. Short enough for proxies that close idle connections. */
@@ -16,10 +18,6 @@ const WAIT_SECONDS = 10;
 const GRACE_MS = 10_000;
 /** The service may delay the check of a code after many wrong codes from the same network. */
 const CHECK_MS = 10_000;
-/** Minimum delay after `too-fast`, as the service requires. */
-const TOO_FAST_DELAY_MS = 1_000;
-const FIRST_DELAY_MS = 250;
-const MAX_DELAY_MS = 10_000;
 /** Maximum number of wrong codes per page load or process. */
 const MAX_WRONG_CODES = 10;
 
@@ -32,8 +30,6 @@ export interface PairingRequest {
   code: string;
   name: string | null;
 }
-
-type HttpResponse = { status: number; body: string };
 
 /**
  * Requests access by a pairing code of 8 letters, and waits until the robot's owner accepts.
@@ -101,13 +97,13 @@ async function send(
 ): Promise<HttpResponse> {
   const { clock } = platform;
   const start = clock.now();
-  for (let delayMs = FIRST_DELAY_MS; ; delayMs = Math.min(MAX_DELAY_MS, delayMs * 2)) {
+  const backoff = new Backoff();
+  for (;;) {
     const response = await sendOnce(platform, request, requestMs);
-    const isTooFast = response?.status === 429;
-    if (response !== null && response.status < 500 && !isTooFast) return response;
-    const wait = platform.random() * delayMs + (isTooFast ? TOO_FAST_DELAY_MS : 0);
+    if (response !== null && !isTemporary(response)) return response;
+    const wait = retryDelay(response, backoff.next(clock.now(), platform.random()));
     if (clock.now() - start + wait > timeoutMs) {
-      if (isTooFast) return response;
+      if (response?.status === 429) return response;
       throw new ClientError(
         "timeout",
         "The service does not respond",

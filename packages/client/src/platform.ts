@@ -26,9 +26,17 @@ export interface HttpRequest {
   body: string | null;
 }
 
+export interface HttpResponse {
+  status: number;
+  body: string;
+  etag?: string | null;
+  /** the header `Retry-After` */
+  retryAfter?: string | null;
+}
+
 /** Sends a request. `response` rejects if there is none, or after `cancel`. */
 export type SendRequest = (request: HttpRequest) => {
-  response: Promise<{ status: number; body: string; etag?: string | null }>;
+  response: Promise<HttpResponse>;
   cancel(): void;
 };
 
@@ -127,6 +135,7 @@ export function globalPlatform(userAgent?: string): Platform {
       const response = globals.fetch(url, init).then(async (answered) => ({
         status: answered.status,
         etag: answered.headers.get("ETag"),
+        retryAfter: answered.headers.get("Retry-After"),
         body: await answered.text(),
       }));
       return { response, cancel: () => controller.abort() };

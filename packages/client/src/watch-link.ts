@@ -9,8 +9,9 @@ import {
   type Snapshot,
 } from "@corridor/protocol";
 import { Connection } from "./connection.ts";
-import { globalPlatform, type Platform } from "./platform.ts";
+import { globalPlatform, type HttpResponse, type Platform } from "./platform.ts";
 import { connectionUrls } from "./connection-urls.ts";
+import { isTemporary, retryDelay } from "./temporary-failure.ts";
 import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 
 /** Delay before a failed request for the maze is repeated. */
@@ -125,20 +126,23 @@ export class WatchLink {
     const url = `${origin}/api/v1/robots/${id}/maze`;
     const pending = request({ method: "GET", url, key, body: null });
     let cancelTimer = (): void => undefined;
-    const retry = (): void => {
-      if (!isCancelled) cancelTimer = clock.after(RETRY_MS, () => this.#requestMaze());
+    const retry = (response: HttpResponse | null): void => {
+      if (isCancelled) return;
+      cancelTimer = clock.after(retryDelay(response, RETRY_MS), () => this.#requestMaze());
     };
     this.#cancelMaze = () => {
       isCancelled = true;
       cancelTimer();
       pending.cancel();
     };
-    pending.response.then(({ status, body }) => {
+    const responded = (response: HttpResponse): void => {
       if (isCancelled) return;
+      const { status, body } = response;
       if (status === 200) this.#options.onMaze(body);
       else if (status === 404) this.#options.onMaze(null);
       // The connection itself reports a revoked key.
-      else if (status === 429 || status >= 500) retry();
-    }, retry);
+      else if (isTemporary(response)) retry(response);
+    };
+    pending.response.then(responded, () => retry(null));
   }
 }
