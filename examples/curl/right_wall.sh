@@ -30,7 +30,7 @@ fail() {
   exit 1
 }
 
-pattern='^(https?://[^/?#[:space:]@]+)/r/([A-Za-z0-9_-]+)#([A-Za-z0-9_-]{8,64})$'
+pattern='^(https?://[^/?#[:space:]@]+)/r/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$'
 if ! [[ $address =~ $pattern ]]; then
   fail "This is not a robot's address. Copy the whole address from the page, and put it in \"quotes\": the part after the # is the key."
 fi

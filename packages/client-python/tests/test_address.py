@@ -1,10 +1,30 @@
 """Errors of invalid addresses, which never contain the key."""
 
+import json
+from pathlib import Path
+from typing import Dict
+
 import pytest
 from corridor import AddressError
 from corridor.address import parse_address
 
 KEY = "drv_AAAAAAAAAAAAAAAAAAAAAA"
+#: Addresses that every client, in every language, accepts or rejects.
+SHARED = json.loads(
+    (Path(__file__).parents[2] / "protocol/src/testing/robot-addresses.json").read_text("utf-8")
+)
+
+
+@pytest.mark.parametrize("good", SHARED["good"])
+def test_it_accepts_the_same_addresses_as_other_clients(good: Dict[str, str]) -> None:
+    address = parse_address(good["text"])
+    assert (address.origin, address.id, address.key) == (good["origin"], good["id"], good["key"])
+
+
+@pytest.mark.parametrize("text", SHARED["bad"])
+def test_it_rejects_the_same_addresses_as_other_clients(text: str) -> None:
+    with pytest.raises(AddressError):
+        parse_address(text)
 
 
 def test_the_address_of_the_page_is_parsed() -> None:

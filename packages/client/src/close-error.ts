@@ -1,6 +1,5 @@
-import { closeReasons, type CloseReason } from "@corridor/protocol";
+import { closeReasons, type CloseReason, type RobotAddress } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
-import type { RobotAddress } from "./robot-address.ts";
 
 /** Prefix of keys that permit only reading. */
 const WATCH_KEY = "wch_";

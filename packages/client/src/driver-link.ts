@@ -9,6 +9,7 @@ import {
   type Obstacle,
   type Order,
   type RelayToDriver,
+  type RobotAddress,
   type Snapshot,
 } from "@corridor/protocol";
 import type { ApiOptions } from "./api-request.ts";
@@ -22,7 +23,6 @@ import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 import { EventInbox, type RobotEvent } from "./event-inbox.ts";
 import { SilentRobotNotice, UnreachableNotice } from "./notices.ts";
 import type { Platform } from "./platform.ts";
-import type { RobotAddress } from "./robot-address.ts";
 import { RobotObstacle } from "./robot-obstacle.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 

@@ -1,3 +1,4 @@
+import { robotAddresses } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { parseRobotAddress } from "./robot-address.ts";
 import { ADDRESS } from "./testing/messages.ts";
@@ -10,6 +11,14 @@ describe("parseRobotAddress", () => {
       id: "AAAAAAAAAAAAAAAAAAAAAA",
       key: "drv_BBBBBBBBBBBBBBBBBBBBBB",
     });
+  });
+
+  it.each(robotAddresses.good)("accepts $text", ({ text, ...parts }) => {
+    expect(parseRobotAddress(text)).toEqual(parts);
+  });
+
+  it.each(robotAddresses.bad)("rejects %j", (text) => {
+    expect(() => parseRobotAddress(text)).toThrow(expect.objectContaining({ code: "bad-address" }));
   });
 
   it.each([
@@ -27,8 +36,13 @@ describe("parseRobotAddress", () => {
     { name: "an address that ends with #", text: `${ADDRESS.split("#")[0]}#`, hint: "quotes" },
     { name: "an address without http", text: ADDRESS.slice(7), hint: "http://" },
     {
-      name: "an address with a truncated id",
-      text: "http://localhost:8080/r/AAAA#drv_BBBBBBBB",
+      name: "an address with a user name",
+      text: ADDRESS.replace("localhost", "me@localhost"),
+      hint: "user name",
+    },
+    {
+      name: "an address with a dot in its id",
+      text: "http://localhost:8080/r/AA.A#drv_BBBBBBBB",
       hint: "copy it again",
     },
     { name: "another page", text: "http://localhost:8080/lessons", hint: "copy it again" },

@@ -1,15 +1,6 @@
 /** The address of a robot, `https://HOST/r/ID#KEY`: everything that a script needs. */
+import { readRobotAddress, type RobotAddress } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
-
-export interface RobotAddress {
-  /** such as https://robots.example.org */
-  origin: string;
-  id: string;
-  key: string;
-}
-
-const MAX_LENGTH = 400;
-const ADDRESS = /^(https?:\/\/[^/?#\s]+)\/r\/([A-Za-z0-9_-]{22})#([A-Za-z0-9_-]{8,64})$/;
 
 /**
  * Parses a robot's address.
@@ -17,16 +8,18 @@ const ADDRESS = /^(https?:\/\/[^/?#\s]+)\/r\/([A-Za-z0-9_-]{22})#([A-Za-z0-9_-]{
  */
 export function parseRobotAddress(text: string): RobotAddress {
   const address = text.trim();
-  const match = address.length <= MAX_LENGTH ? ADDRESS.exec(address) : null;
-  const [, origin, id, key] = match ?? [];
-  if (origin === undefined || id === undefined || key === undefined) {
+  const parts = readRobotAddress(address);
+  if (parts === null || parts.key === null) {
     throw new ClientError("bad-address", "This is not a robot's address", hintFor(address));
   }
-  return { origin, id, key };
+  return { ...parts, key: parts.key };
 }
 
 function hintFor(address: string): string {
-  if (/^https?:\/\/[^/]+\/r\/[^#]+#?$/.test(address.slice(0, MAX_LENGTH))) {
+  if (/^https?:\/\/[^/?#\s]*@/.test(address)) {
+    return "It contains a user name before the @: copy the whole address from the page, under Remote.";
+  }
+  if (/^https?:\/\/[^/]+\/r\/[^#]+#?$/.test(address)) {
     return 'The key after the # is missing: copy the whole address, and put it in "quotes" on a command line.';
   }
   if (address === "") {

@@ -4,6 +4,7 @@ import {
   readValue,
   type CommandRecord,
   type Order,
+  type RobotAddress,
   type SensorReadings,
   type Snapshot,
 } from "@corridor/protocol";
@@ -16,7 +17,7 @@ import { DriverLink } from "./driver-link.ts";
 import type { RobotEvent } from "./event-inbox.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform } from "./platform.ts";
-import { parseRobotAddress, type RobotAddress } from "./robot-address.ts";
+import { parseRobotAddress } from "./robot-address.ts";
 import type {
   CommandOptions,
   DriveOptions,

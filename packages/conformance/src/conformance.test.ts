@@ -1,5 +1,7 @@
 /** The report of the kit. */
+import { robotAddresses } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
+import { readAddress } from "./host.ts";
 import { linesOf, passes, verdict } from "./report.ts";
 import { runChecks, type Outcome, type Result } from "./run-checks.ts";
 
@@ -20,6 +22,11 @@ const neverTestable: Outcome = { kind: "not testable", why: "it takes 10 minutes
 describe("the conformance kit", () => {
   it("rejects an invalid address", async () => {
     await expect(runChecks("http://localhost/r/abc")).rejects.toThrow("not a robot's address");
+  });
+
+  it("accepts the addresses that every client accepts, and no others", () => {
+    for (const { text, ...parts } of robotAddresses.good) expect(readAddress(text)).toEqual(parts);
+    for (const text of robotAddresses.bad) expect(readAddress(text)).toBeNull();
   });
 
   it("separates what fails, what is not offered and what cannot be tested", () => {

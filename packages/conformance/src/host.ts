@@ -4,16 +4,17 @@ import {
   hasEnded,
   featureListSchema,
   PROTOCOL_VERSION,
+  readRobotAddress,
   snapshotSchema,
   type CommandRecord,
   type FeatureList,
   type Order,
+  type RobotAddress,
   type Snapshot,
   type GatewayName,
 } from "@corridor/protocol";
 import { must, validate } from "./mismatch.ts";
 
-const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;
 const RESPONSE_MS = 40_000;
 /** Timeout in ms for any command of the checks. */
 const FINISH_MS = 60_000;
@@ -48,10 +49,9 @@ export interface HelloOptions {
 }
 
 /** @returns the parts of a robot's address, or null if it is not one */
-export function readAddress(text: string): { origin: string; id: string; key: string } | null {
-  const [, origin, id, key] = ADDRESS.exec(text.trim()) ?? [];
-  if (origin === undefined || id === undefined || key === undefined) return null;
-  return { origin, id, key };
+export function readAddress(text: string): RobotAddress | null {
+  const parts = readRobotAddress(text.trim());
+  return parts === null || parts.key === null ? null : { ...parts, key: parts.key };
 }
 
 export class Host {

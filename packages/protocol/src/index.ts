@@ -207,6 +207,7 @@ export {
 } from "./pairing.ts";
 export { problemSchema, type ProblemDocument } from "./problem.ts";
 export { driverSchema, type DriverName, type Pose, type SensorReadings } from "./quantities.ts";
+export { readRobotAddress, type RobotAddress } from "./robot-address.ts";
 export { registrationSchema, robotIdSchema, type Registration } from "./registration.ts";
 export {
   storedLinksSchema,

@@ -1,4 +1,6 @@
 /** Messages and time for tests. */
+/** Addresses that every client, in every language, accepts or rejects. */
+export { default as robotAddresses } from "./robot-addresses.json" with { type: "json" };
 export { ManualTimers, settled } from "./manual-timers.ts";
 import type { Snapshot } from "../snapshot.ts";
 
