@@ -1,13 +1,11 @@
-import { closeReasons, type CloseReason, type RobotAddress } from "@corridor/protocol";
+import { closeReasons, keyPrefixes, type CloseReason, type RobotAddress } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 
-/** Prefix of keys that permit only reading. */
-const WATCH_KEY = "wch_";
 const COPY = "press 'Copy address with key' under Remote on the robot's page.";
 
 /** Whether the key permits only reading. */
 export function isWatchKey(key: string): boolean {
-  return key.startsWith(WATCH_KEY);
+  return key.startsWith(keyPrefixes.watch);
 }
 
 /** The error of a command by a script with a watch key. */
@@ -32,7 +30,7 @@ export function closeError({ code, cause, remedy }: CloseReason, robot: RobotAdd
     case closeReasons.forbidden.code:
       if (isWatchKey(robot.key)) return watchLinkError();
       // A driver key permits everything that a script does: the script is blocked.
-      if (robot.key.startsWith("drv_")) return blocked();
+      if (robot.key.startsWith(keyPrefixes.drive)) return blocked();
       return new ClientError("not-authorised", "The robot rejects this key", remedy);
     case closeReasons.noRobot.code:
       return new ClientError(

@@ -1,6 +1,7 @@
 import {
   closeReasonOf,
   closeReasons,
+  SILENCE_MS,
   type CloseReason,
   type ReadResult,
   type SocketEvents,
@@ -15,8 +16,6 @@ import { Backoff } from "./backoff.ts";
 const WELCOME_MS = 10_000;
 /** The same if there is another transport. */
 const FALLBACK_MS = 4_000;
-/** Timeout between messages. The relay sends one at least every 20 s. */
-const SILENCE_MS = 45_000;
 
 /** With any other code, a proxy closed the connection, or it was lost. */
 const ownCodes: ReadonlySet<number> = new Set(Object.values(closeReasons).map(({ code }) => code));

@@ -1,6 +1,7 @@
 import {
   closeReasons,
   fetchedMessagesSchema,
+  LONG_POLL_SECONDS,
   MAX_FRAME_BYTES,
   MAX_LONG_POLL_MESSAGES,
   openedConnectionSchema,
@@ -13,8 +14,7 @@ import type { HttpResponse, SendRequest, Platform } from "./platform.ts";
 import { FIRST_DELAY_MS, Backoff } from "./backoff.ts";
 import { isTemporary, retryDelay } from "./temporary-failure.ts";
 
-/** Bounds of the wait of a long poll, in seconds. The relay permits at most 25. */
-const MAX_WAIT = 25;
+/** Shortest wait of a long poll, in seconds. */
 const MIN_WAIT = 1;
 /** Request timeout, in addition to the wait. */
 const RESPONSE_MS = 8_000;
@@ -66,7 +66,7 @@ export class LongPollConnection implements SocketPort {
   #isOpen = true;
   /** number of the newest received message */
   #after = 0;
-  #wait = MAX_WAIT;
+  #wait = LONG_POLL_SECONDS;
   readonly #posts = noFailure();
   readonly #fetches = noFailure();
   readonly #cancels = new Set<() => void>();

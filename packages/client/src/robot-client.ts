@@ -1,5 +1,6 @@
 import {
   describeProblem,
+  MAX_SENT_NAME,
   orderSchema,
   readValue,
   type CommandRecord,
@@ -28,8 +29,6 @@ import { readMaze, type RobotMaze } from "./robot-maze.ts";
 
 const DEFAULT_RESPONSE_MS = 30_000;
 const DEFAULT_FINISH_MS = 600_000;
-/** The relay rejects longer names. */
-const MAX_SENT_NAME = 200;
 
 /**
  * A robot on the network, simulated or physical.

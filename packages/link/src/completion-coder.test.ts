@@ -1,9 +1,9 @@
 import { arbitraryProgram, paperPrograms } from "@corridor/program/testing";
-import { plainActions, type Command, type TimedCommand } from "@corridor/protocol";
+import { MAX_LINK_LENGTH, plainActions, type Command, type TimedCommand } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import type { CompletionCode } from "./completion-code.ts";
-import { decodeLink, encodeLink, MAX_LINK_LENGTH } from "./link.ts";
+import { decodeLink, encodeLink } from "./link.ts";
 
 const mark = "0a1b2c3d4";
 const rightWall = paperPrograms.find(({ figure }) => figure === 22)?.program;

@@ -11,10 +11,10 @@ export {
   type HandInResult,
 } from "./hand-in.ts";
 export { readLessonLink, readLink, type AddressRefusal } from "./link-address.ts";
+export { MAX_LINK_LENGTH } from "@corridor/protocol";
 export {
   decodeLink,
   encodeLink,
-  MAX_LINK_LENGTH,
   type DecodeResult,
   type EncodeRefusal,
   type EncodeResult,

@@ -10,8 +10,9 @@ import {
 import { generateTree, mazeKinds, type MazeDocument } from "@corridor/maze";
 import { arbitraryProgram } from "@corridor/program/testing";
 import fc from "fast-check";
+import { MAX_LINK_LENGTH } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { decodeLink, encodeLink, MAX_LINK_LENGTH } from "./link.ts";
+import { decodeLink, encodeLink } from "./link.ts";
 import type { LinkContent } from "./link-body.ts";
 import { anyList, anyText, arbitraryTask } from "./testing/arbitrary-task.ts";
 import { randomMaze } from "./testing/sample-mazes.ts";

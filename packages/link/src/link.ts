@@ -7,7 +7,7 @@
  * characters, the length and the checksum first, bounds every size before it allocates memory, and
  * validates the result against the schemas.
  */
-import type { FieldProblem } from "@corridor/protocol";
+import { MAX_LINK_LENGTH, type FieldProblem } from "@corridor/protocol";
 import { checkContent } from "./check-content.ts";
 import { CHECK_LENGTH, checkOf, digitsOf, textOf } from "./digits.ts";
 import { readBody, writeBody, type LinkContent, type MeasuredPart } from "./link-body.ts";
@@ -49,9 +49,6 @@ export type EncodeResult =
 export type DecodeResult =
   | { ok: true; value: LinkContent }
   | { ok: false; code: LinkRefusal; problems: FieldProblem[] };
-
-/** Maximum length of a link, in characters. */
-export const MAX_LINK_LENGTH = 8_192;
 
 const VERSION = 1;
 /** Length of the header: version, length and checksum. */

@@ -2,11 +2,11 @@ import { generateTree, toggleBlock, type MazeDocument } from "@corridor/maze";
 import { arbitraryMaze } from "@corridor/maze/testing";
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import { arbitraryProgram } from "@corridor/program/testing";
-import { plainActions, type Command } from "@corridor/protocol";
+import { MAX_LINK_LENGTH, plainActions, type Command } from "@corridor/protocol";
 import type { RunDocument, RunInput, TimedInput } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { decodeLink, encodeLink, MAX_LINK_LENGTH } from "./link.ts";
+import { decodeLink, encodeLink } from "./link.ts";
 
 const rightWall = programPresets.find(({ id }) => id === "right-wall")?.program as ProgramDocument;
 const tree = generateTree({ columns: 11, rows: 7, seed: 3, name: "Tree" });

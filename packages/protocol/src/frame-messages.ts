@@ -3,10 +3,8 @@
  * `corridor: 1`. docs/lms.md describes them for authors of sites.
  */
 import { z } from "zod";
+import { MAX_LINK_LENGTH } from "./link-length.ts";
 import { shortLinkIdSchema } from "./short-link.ts";
-
-/** Longest link that a site can open in a frame: that of any link. */
-const MAX_LINK_LENGTH = 8_192;
 
 const corridor = z.literal(1);
 

@@ -180,15 +180,8 @@ export {
   type MarkColor,
   type Marks,
 } from "./marks.ts";
-export {
-  LEASE_MS,
-  MAX_AGE_MS,
-  orderSchema,
-  termsOf,
-  TTL_MS,
-  type CommandTerms,
-  type Order,
-} from "./order.ts";
+export { MAX_AGE_MS, orderSchema, termsOf, type CommandTerms, type Order } from "./order.ts";
+export { LEASE_MS, TTL_MS } from "./term-bounds.ts";
 export { decodeDriverFrame } from "./driver-frame.ts";
 export { findSnapshot, findSnapshotMessage, type SnapshotSpan } from "./snapshot-text.ts";
 export {
@@ -226,6 +219,9 @@ export {
   type FrameReport,
   type FrameRequest,
 } from "./frame-messages.ts";
+export { keyPrefixes } from "./key-prefixes.ts";
+export { MAX_LINK_LENGTH } from "./link-length.ts";
+export { LONG_POLL_SECONDS, SILENCE_MS } from "./connection-times.ts";
 export { gatewayNames, type GatewayName } from "./gateway-names.ts";
 export { MotionRegister } from "./motion-register.ts";
 export {
@@ -246,6 +242,7 @@ export { sendAndWait } from "./send-and-wait.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export {
   MAX_PROBLEM_TEXT,
+  MAX_SENT_NAME,
   MAX_SCRIPT_NAME,
   MAX_SCRIPTS,
   MAX_BLOCKED_SCRIPTS,
@@ -264,5 +261,6 @@ export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
 export type { Timers } from "./timers.ts";
 export { PROTOCOL_VERSION } from "./version.ts";
 export { TICKS_PER_SECOND } from "./ticks.ts";
+export { MAX_RUN_INPUTS, MAX_RUN_TICKS } from "./run-bounds.ts";
 export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";
 export { sensorNames, type SensorName } from "./sensor-names.ts";

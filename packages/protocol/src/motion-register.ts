@@ -4,6 +4,7 @@
  * later.
  */
 import type { Order } from "./order.ts";
+import { LEASE_MS } from "./term-bounds.ts";
 import type { Timers } from "./timers.ts";
 
 /** At most 10 orders a second. */
@@ -11,7 +12,7 @@ const MIN_INTERVAL_MS = 100;
 /** An unchanged value is sent again after this time, while messages arrive. */
 const RENEWAL_MS = 200;
 /** The robot stops if no message arrives for this time. */
-const LEASE_MS = 500;
+const SILENT_MS = LEASE_MS.default;
 /** A turn is sent once, so it may start later than a velocity. */
 const TURN_TTL_MS = 2_000;
 /** A connection begins with what its client has stored, and so does one that was interrupted. */
@@ -109,7 +110,7 @@ export class MotionRegister {
    * messages arrive, as long as a new connection.
    */
   #arrived(now: number): void {
-    const isClose = now - this.#arrivedAt <= LEASE_MS;
+    const isClose = now - this.#arrivedAt <= SILENT_MS;
     if (!isClose && this.#isStream) {
       this.#resumed = { at: now, messages: 0 };
       this.#heldUntil = Math.max(this.#heldUntil, now + SETTLE_MS);
@@ -174,7 +175,7 @@ export class MotionRegister {
 
   #orderOf(motion: Motion): Order {
     if (motion.action === "turn") return { ...motion, ttl: TURN_TTL_MS, replace: true };
-    return { ...motion, lease: LEASE_MS, ttl: LEASE_MS, replace: this.#mustTakeOver() };
+    return { ...motion, lease: SILENT_MS, ttl: SILENT_MS, replace: this.#mustTakeOver() };
   }
 
   /** A drive replaces an earlier one by itself, and waits for other commands. */

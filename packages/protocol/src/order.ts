@@ -6,9 +6,8 @@
  */
 import { z } from "zod";
 import { remoteActionNames, remoteCommandSchema, type RemoteCommand } from "./command.ts";
+import { LEASE_MS, TTL_MS } from "./term-bounds.ts";
 
-export const TTL_MS = { min: 200, max: 60_000, default: 10_000 } as const;
-export const LEASE_MS = { min: 100, max: 2_000, default: 500 } as const;
 /** No client retries for longer. */
 export const MAX_AGE_MS = 3_600_000;
 

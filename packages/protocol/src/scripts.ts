@@ -9,7 +9,7 @@ import { keyIdSchema } from "./keys.ts";
 /** Displayed characters of a name; longer names are truncated. */
 export const MAX_SCRIPT_NAME = 40;
 /** Longest name that a script may send, in characters. */
-const MAX_SENT_NAME = 200;
+export const MAX_SENT_NAME = 200;
 /** Scripts of one robot in the owner's list. */
 export const MAX_SCRIPTS = 16;
 /**

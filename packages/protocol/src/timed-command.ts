@@ -1,10 +1,8 @@
 /** Commands, each with the tick before which the robot receives it. A replay is bit-identical. */
 import { z } from "zod";
 import { commandSchema, type Command } from "./command.ts";
-import { TICKS_PER_SECOND } from "./ticks.ts";
+import { MAX_RUN_INPUTS, MAX_RUN_TICKS } from "./run-bounds.ts";
 
-const MAX_TICKS = 24 * 60 * 60 * TICKS_PER_SECOND;
-const MAX_COMMANDS = 100_000;
 const tickError = "a tick: a whole number from 0, none smaller than the one before";
 
 /** Sorted by tick. Of several commands with the same tick, the last one takes effect. */
@@ -14,12 +12,12 @@ export const timedCommandsSchema = z
       tick: z
         .int({ error: tickError })
         .min(0, { error: tickError })
-        .max(MAX_TICKS, { error: tickError }),
+        .max(MAX_RUN_TICKS, { error: tickError }),
       command: commandSchema,
     }),
     { error: 'a list of {"tick": ..., "command": {"action": ...}}' },
   )
-  .max(MAX_COMMANDS, { error: `at most ${MAX_COMMANDS} commands` })
+  .max(MAX_RUN_INPUTS, { error: `at most ${MAX_RUN_INPUTS} commands` })
   .check((context) => {
     let before = 0;
     for (const [index, { tick }] of context.value.entries()) {

@@ -1,9 +1,7 @@
 /** The operations of a client, as rosbridge v2 defines them. Fields that have no effect are ignored. */
-import { parseJson } from "@corridor/protocol";
+import { MAX_FRAME_BYTES, parseJson } from "@corridor/protocol";
 import { z } from "zod";
 
-/** Bytes of a message. */
-const MAX_LENGTH = 16 * 1024;
 const MAX_NAME = 256;
 
 const name = z.string().min(1).max(MAX_NAME);
@@ -55,7 +53,7 @@ const NOT_READABLE =
   "A message is not an operation of rosbridge: one JSON object with the field 'op', of at most 16 KiB.";
 
 export function readOperation(text: string): ReadOperation {
-  const parsed = parseJson(text, MAX_LENGTH);
+  const parsed = parseJson(text, MAX_FRAME_BYTES);
   const message = parsed.ok ? envelope.safeParse(parsed.value) : null;
   if (!parsed.ok || message?.success !== true) {
     return { ok: false, isReadable: false, detail: NOT_READABLE };
@@ -80,7 +78,7 @@ const authSchema = z.object({ op: z.literal("auth"), mac: z.string().max(MAX_NAM
 
 /** @returns the key in an operation `auth`; null if the message is another one */
 export function keyInAuth(text: string): string | null {
-  const parsed = parseJson(text, MAX_LENGTH);
+  const parsed = parseJson(text, MAX_FRAME_BYTES);
   const auth = parsed.ok ? authSchema.safeParse(parsed.value) : null;
   return auth?.success === true ? auth.data.mac : null;
 }

@@ -4,26 +4,11 @@
 import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
 import {
   CLASS_CODE_LENGTH,
+  keyPrefixes,
   PAIRING_LENGTH,
   PAIRING_LETTERS,
   SHORT_CODE_LENGTHS,
 } from "@corridor/protocol";
-
-/**
- * own, drive, watch: for a robot. url: to drive or watch a robot, in a path only. delete: deletes a short link's document. connection:
- * authenticates a long-poll connection. teach, show, learn: for a class.
- */
-const PREFIX = {
-  own: "own_",
-  drive: "drv_",
-  watch: "wch_",
-  url: "url_",
-  delete: "del_",
-  connection: "con_",
-  teach: "tea_",
-  show: "scr_",
-  learn: "stu_",
-} as const;
 
 function randomText(): string {
   return randomBytes(16).toString("base64url");
@@ -63,8 +48,8 @@ function letters(count: number): string {
 }
 
 /** Creates a key with the prefix of its kind. */
-export function mintKey(kind: keyof typeof PREFIX): string {
-  return PREFIX[kind] + randomText();
+export function mintKey(kind: keyof typeof keyPrefixes): string {
+  return keyPrefixes[kind] + randomText();
 }
 
 /** Creates a pairing code, one of 20^8 = 25,600,000,000. */
@@ -78,7 +63,7 @@ export function mintClassCode(): string {
 }
 
 /** Format of every key of the service: a prefix for its kind, then 128 random bits. */
-const KEY_FORMAT = new RegExp(`^(?:${Object.values(PREFIX).join("|")})[A-Za-z0-9_-]{22}$`);
+const KEY_FORMAT = new RegExp(`^(?:${Object.values(keyPrefixes).join("|")})[A-Za-z0-9_-]{22}$`);
 
 /** Whether a text has the format of a key. Other texts are rejected without a lookup. */
 export function canBeKey(text: string | null): text is string {

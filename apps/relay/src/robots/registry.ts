@@ -2,7 +2,7 @@
  * All robots of this relay: creates, finds and deletes them. A robot is held in memory
  * while it is in use. The store holds the rest.
  */
-import type { Registration } from "@corridor/protocol";
+import { keyPrefixes, type Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
 import { LocalBus } from "../bus/local.ts";
@@ -291,7 +291,7 @@ export class RobotRegistry {
  */
 function wrongKey(key: string | null, use: StoredKey["use"]): Refusal {
   if (use === "url") return notAuthorised(WRONG_IN_URL);
-  if (key?.startsWith("url_") === true) return notAuthorised(URL_KEY_ELSEWHERE);
+  if (key?.startsWith(keyPrefixes.url) === true) return notAuthorised(URL_KEY_ELSEWHERE);
   return notAuthorised(
     key === null
       ? "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"

@@ -3,6 +3,8 @@
  * excess requests with an error, or closes their connection. Limits of sizes are in the schemas of
  * `@corridor/protocol`, and those of requests in `relay.ts`.
  */
+import { LONG_POLL_SECONDS, SILENCE_MS } from "@corridor/protocol";
+
 export const limits = {
   /** accepted, waiting commands of one robot; a script that far ahead of its robot is a mistake */
   waitingCommands: 64,
@@ -134,7 +136,7 @@ export const limits = {
    * the socket
    */
   heartbeatMs: 20_000,
-  silenceMs: 45_000,
+  silenceMs: SILENCE_MS,
   /** interval of silence checks, and the maximum delay before a silent socket is closed */
   silenceCheckMs: 5_000,
   /** a long-poll connection without a request for this long is closed */
@@ -156,8 +158,8 @@ export const limits = {
   touchMs: 60_000,
   robotIdleMs: 2 * 60 * 60 * 1000,
   robotLifeMs: 24 * 60 * 60 * 1000,
-  /** longest long poll; below the 30 s after which many proxies time out */
-  longPollSeconds: 25,
+  /** longest long poll */
+  longPollSeconds: LONG_POLL_SECONDS,
   /** commands in one response of the command log */
   logPage: 200,
   /**

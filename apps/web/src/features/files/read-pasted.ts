@@ -1,4 +1,5 @@
 /** Classifies text that the user pastes into the page. This module is a separate chunk. */
+import { keyPrefixes } from "@corridor/protocol";
 import { looksLikeFile } from "./looks-like-file.ts";
 
 /** Paths of links: the page with a fragment, short links, and addresses of robots. */
@@ -15,7 +16,7 @@ export function readPasted(text: string, origin: string): "file" | "script" | "o
   const link = ownLink(text, origin);
   // The link would replace the page and its robot by a page that displays no more than this
   // message.
-  if (link !== null && link.hash.startsWith("#drv_")) return "script";
+  if (link !== null && link.hash.startsWith(`#${keyPrefixes.drive}`)) return "script";
   return link ?? (looksLikeFile(text) ? "file" : "other");
 }
 

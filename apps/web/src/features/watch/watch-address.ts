@@ -2,6 +2,7 @@
  * Reads the address of a robot, which is for a viewer if it contains a watch key. The key is
  * removed from the address at once and stored for this tab, so that a reload continues to watch.
  */
+import { keyPrefixes } from "@corridor/protocol";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import type { WatchedRobot } from "../../simulator/protocol/watch-messages.ts";
 
@@ -22,7 +23,7 @@ export interface WatchAddressPorts {
 
 const STORAGE_KEY = "corridor.watch";
 const PATH = /^\/r\/([A-Za-z0-9_-]{22})\/?$/;
-const WATCH_KEY = /^wch_[A-Za-z0-9_-]{22}$/;
+const WATCH_KEY = new RegExp(`^${keyPrefixes.watch}[A-Za-z0-9_-]{22}$`);
 
 /** Reads the address and removes the key from it. */
 export function takeVisit({ location, tab, replaceAddress }: WatchAddressPorts): Visit {
@@ -32,7 +33,7 @@ export function takeVisit({ location, tab, replaceAddress }: WatchAddressPorts):
   if (key !== "") replaceAddress(pathname + search);
   const id = PATH.exec(pathname)?.[1];
   if (id === undefined) return { kind: "broken" };
-  if (key.startsWith("drv_")) return { kind: "script" };
+  if (key.startsWith(keyPrefixes.drive)) return { kind: "script" };
   const robot = { id, key: key === "" ? storedKey(tab, id) : key };
   if (!WATCH_KEY.test(robot.key)) return { kind: "broken" };
   store(tab, robot);
