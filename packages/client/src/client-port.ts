@@ -3,6 +3,7 @@
  * `RobotClient`, so it survives lost connections, and works with a physical robot.
  */
 import {
+  accessProblems,
   checkCommand,
   commandRecordSchema,
   hasEnded,
@@ -229,10 +230,7 @@ function recordIn({ body }: HttpResponse): CommandRecord {
 
 /** The kinds of problems that the client itself finds, as the relay describes them. */
 const kinds = {
-  "not-authorised": { status: 401, title: "Missing or invalid key" },
-  forbidden: { status: 403, title: "The key does not permit this request" },
-  blocked: { status: 403, title: "Script blocked" },
-  "no-robot": { status: 404, title: "Robot not found" },
+  ...accessProblems,
   unreachable: { status: 504, title: "The robot's host does not respond" },
 } as const;
 

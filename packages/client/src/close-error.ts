@@ -1,4 +1,12 @@
-import { closeReasons, keyPrefixes, type CloseReason, type RobotAddress } from "@corridor/protocol";
+import {
+  BLOCKED_SCRIPT,
+  closeReasons,
+  keyPrefixes,
+  UNKNOWN_ROBOT,
+  WRONG_KEY,
+  type CloseReason,
+  type RobotAddress,
+} from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 
 const COPY = "press 'Copy address with key' under Remote on the robot's page.";
@@ -22,32 +30,19 @@ export function watchLinkError(): ClientError {
 export function closeError({ code, cause, remedy }: CloseReason, robot: RobotAddress): ClientError {
   switch (code) {
     case closeReasons.notAuthorised.code:
-      return new ClientError(
-        "not-authorised",
-        "The robot rejects this key",
-        `The key is invalid or was revoked. Copy the whole address again, with the part after the #: ${COPY}`,
-      );
+      return new ClientError("not-authorised", "The robot rejects this key", WRONG_KEY);
     case closeReasons.forbidden.code:
       if (isWatchKey(robot.key)) return watchLinkError();
       // A driver key permits everything that a script does: the script is blocked.
       if (robot.key.startsWith(keyPrefixes.drive)) return blocked();
       return new ClientError("not-authorised", "The robot rejects this key", remedy);
     case closeReasons.noRobot.code:
-      return new ClientError(
-        "no-robot",
-        `No robot has the id ${robot.id}`,
-        "Check the id for typing errors, or copy the address again from the robot's page. " +
-          "The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
-      );
+      return new ClientError("no-robot", `No robot has the id ${robot.id}`, UNKNOWN_ROBOT);
     default:
       return new ClientError("no-robot", `Not connected: ${cause}`, remedy);
   }
 }
 
 function blocked(): ClientError {
-  return new ClientError(
-    "blocked",
-    "This script is blocked",
-    "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
-  );
+  return new ClientError("blocked", "This script is blocked", BLOCKED_SCRIPT);
 }

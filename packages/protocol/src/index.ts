@@ -9,6 +9,7 @@ export {
   type FieldProblem,
   type ReadResult,
 } from "./document-reader.ts";
+export { accessProblems, BLOCKED_SCRIPT, UNKNOWN_ROBOT, WRONG_KEY } from "./access-problems.ts";
 export { closeReasonOf, closeReasons, type CloseReason } from "./close-codes.ts";
 export {
   classCodeSchema,

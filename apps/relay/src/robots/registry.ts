@@ -2,7 +2,7 @@
  * All robots of this relay: creates, finds and deletes them. A robot is held in memory
  * while it is in use. The store holds the rest.
  */
-import { keyPrefixes, type Registration } from "@corridor/protocol";
+import { keyPrefixes, WRONG_KEY, type Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
 import { LocalBus } from "../bus/local.ts";
@@ -295,6 +295,6 @@ function wrongKey(key: string | null, use: StoredKey["use"]): Refusal {
   return notAuthorised(
     key === null
       ? "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"
-      : "The key is invalid or was revoked. Copy the whole address again, with the part after the #: press 'Copy address with key' under Remote on the robot's page.",
+      : WRONG_KEY,
   );
 }

@@ -2,6 +2,7 @@
  * Every kind of problem that the relay returns: its HTTP status, its title, and the text of its
  * page. The `type` in a problem document points to that page, `/problems/KIND`.
  */
+import { accessProblems } from "@corridor/protocol";
 import type { ProblemText } from "./problem-text.ts";
 
 /** By the last part of `type`. */
@@ -17,8 +18,7 @@ export const problemKinds = {
     ],
   },
   "not-authorised": {
-    status: 401,
-    title: "Missing or invalid key",
+    ...accessProblems["not-authorised"],
     what: "The relay rejected the request because it contains no valid key.",
     why: "The header `Authorization: Bearer KEY` is missing, the key contains a typing error, or the owner has revoked it. In a class, the key of a student ends when the teacher removes the student.",
     fix: [
@@ -28,8 +28,7 @@ export const problemKinds = {
     ],
   },
   forbidden: {
-    status: 403,
-    title: "The key does not permit this request",
+    ...accessProblems.forbidden,
     what: "The key is valid but does not permit this request.",
     why: "A watch key (`wch_...`), which is the key of a watch link, only reads. Some requests require the owner key, which only the robot's page has. Only the key that sent a command can cancel it. In a class, only the teacher's key (`tea_...`) reads students and changes settings.",
     fix: [
@@ -38,8 +37,7 @@ export const problemKinds = {
     ],
   },
   blocked: {
-    status: 403,
-    title: "Script blocked",
+    ...accessProblems.blocked,
     what: "The relay rejects all requests of this script because the robot's owner has blocked it.",
     why: "The owner pressed **Block** next to the script under **Remote**, **More**.",
     fix: ["Ask the owner to press **Unblock** there, then start the script again."],
@@ -81,8 +79,7 @@ export const problemKinds = {
     ],
   },
   "no-robot": {
-    status: 404,
-    title: "Robot not found",
+    ...accessProblems["no-robot"],
     what: "The relay has no robot with this id.",
     why: "The id contains a typing error, or the robot was deleted. A robot is deleted after 2 hours without use, 24 hours after its registration, or by its owner.",
     fix: [

@@ -5,6 +5,7 @@
 import {
   describeProblem,
   RefusedError,
+  UNKNOWN_ROBOT,
   type FieldProblem,
   type ProblemDocument,
 } from "@corridor/protocol";
@@ -99,10 +100,7 @@ export function restarting(): Refusal {
 
 /** Response if no robot has the id. */
 export function noRobot(): Refusal {
-  return new Refusal(
-    "no-robot",
-    "Check the id for typing errors, or copy the address again from the robot's page. The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
-  );
+  return new Refusal("no-robot", UNKNOWN_ROBOT);
 }
 
 /** Response if no class has the id. */

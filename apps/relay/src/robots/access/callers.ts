@@ -7,7 +7,13 @@
  * excludes one of several scripts until the owner unblocks it. Only a new key ends the access of all.
  */
 import { createHash } from "node:crypto";
-import { READ_ONLY, MAX_BLOCKED_SCRIPTS, type Hello, type ScriptRef } from "@corridor/protocol";
+import {
+  BLOCKED_SCRIPT,
+  READ_ONLY,
+  MAX_BLOCKED_SCRIPTS,
+  type Hello,
+  type ScriptRef,
+} from "@corridor/protocol";
 import { Refusal, noRobot } from "../../platform/errors/problems.ts";
 import type {
   KeyKind,
@@ -240,8 +246,5 @@ export class ScriptAccess {
 
 /** Error response for a blocked script. */
 export function scriptIsBlocked(): Refusal {
-  return new Refusal(
-    "blocked",
-    "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
-  );
+  return new Refusal("blocked", BLOCKED_SCRIPT);
 }
