@@ -1,13 +1,15 @@
 /**
  * Watch links: a viewer sees the robot of another page and cannot drive it.
  */
-import type { Locator, Page } from "playwright/test";
+import type { Browser, Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
+import { chooseInLanguageMenu } from "./support/choose-language.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 import { RelayProxy } from "./support/relay-proxy.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
+import { languageTags, Texts } from "./support/texts.ts";
 
 test.use(smallWindow);
 
@@ -73,29 +75,32 @@ async function expectSamePlace(owner: CorridorPage, viewer: Page): Promise<void>
     .toBe("the same");
 }
 
-test("shows the robot with any driver, and what happens to its page and to the link", async ({
-  corridor,
-  openWindow,
-}) => {
-  const { drive, watch } = await copyAddresses(corridor);
-  const { page } = await openWindow({ ...smallWindow, colorScheme: "light" });
-  const requested: string[] = [];
-  page.on("request", (request) => requested.push(request.url()));
-  await page.goto(watch);
-  const { banner, maze, status, place } = viewerPage(page);
-  await expect(banner).toBeVisible();
-  await expect(maze).toHaveText("Long way round");
-  await expect(status).toContainText("The robot waits for a script.");
-  await expectSamePlace(corridor, page);
+/** A viewer whose network blocks WebSockets. */
+async function openWithoutWebSockets(browser: Browser, relay: string, watch: string) {
+  const proxy = await RelayProxy.start(relay);
+  // Not an openWindow fixture: the browser logs an error for the WebSocket that does not open.
+  const context = await browser.newContext(smallWindow);
+  const page = await context.newPage();
+  const paths: string[] = [];
+  page.on("request", (request) => paths.push(new URL(request.url()).pathname));
+  await page.goto(watch.replace(relay, proxy.url));
+  await expect(viewerPage(page).place).toBeVisible({ timeout: 20_000 });
+  const close = async () => {
+    await context.close();
+    await proxy.close();
+  };
+  return { page, paths, close };
+}
 
-  // A script drives.
+async function driveByScript(drive: string): Promise<void> {
   const moved = await call(drive, "/commands", { body: { action: "move", distance: 150 } });
   const { seq } = (await moved.json()) as { seq: number };
   await call(drive, `/commands/${seq}?wait=25`);
-  await expect(status).toContainText("A script drives.");
-  await expectSamePlace(corridor, page);
+}
 
-  // The user drives, and the viewer's picture moves.
+/** The user drives, and the viewer's picture moves. */
+async function followsTheUser(corridor: CorridorPage, page: Page): Promise<void> {
+  const { maze, status } = viewerPage(page);
   const stage = page.getByRole("main");
   const before = await stage.screenshot();
   await corridor.selectDriver("Me");
@@ -117,58 +122,43 @@ test("shows the robot with any driver, and what happens to its page and to the l
   await expect(page.getByRole("button", { name: "Run" })).toHaveCount(0);
   await corridor.selectDriver("Remote");
   await expect(status).toContainText("The robot waits for a script.");
+}
 
-  await test.step("the key is not in the address, and the theme stays after a reload", async () => {
-    expect(page.url()).toBe(watch.replace(/#.*/, ""));
-    await page.getByRole("button", { name: "Theme" }).click();
-    await page.getByRole("radio", { name: "Dark" }).check({ force: true });
-    await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
-    await page.reload();
-    await expect(place).toBeVisible();
-    await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
-    expect(requested.filter((url) => url.replace(watch, "").includes("wch_"))).toEqual([]);
-    // The viewer's page starts no robot: its only worker paints.
-    expect(page.workers()).toHaveLength(1);
-    // axe needs both themes.
-    await page.getByRole("button", { name: "Theme" }).click();
-    await page.getByRole("radio", { name: "System" }).check({ force: true });
-    await page.keyboard.press("Escape");
-  });
+async function staysDarkAfterReload(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Theme" }).click();
+  await page.getByRole("radio", { name: "Dark" }).check({ force: true });
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  await page.reload();
+  await expect(viewerPage(page).place).toBeVisible();
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  // axe needs both themes.
+  await page.getByRole("button", { name: "Theme" }).click();
+  await page.getByRole("radio", { name: "System" }).check({ force: true });
+  await page.keyboard.press("Escape");
+}
 
-  await test.step("the page of the robot disconnects and reconnects", async () => {
-    await corridor.page.goto("about:blank");
-    await expect(status).toContainText("The robot’s page is closed or offline.");
-    await expectNoAxeViolations(page, "a viewer whose robot is disconnected");
-    await corridor.page.goBack();
-    await expect(status).toContainText("The robot waits for a script.");
-  });
+/** Shows an address on a small phone in every language, and ends in English. */
+async function fitsInEveryLanguage(page: Page, address: string): Promise<void> {
+  const expectFits = async (tag: string) => {
+    await expect(page.locator("html")).toHaveAttribute("lang", tag);
+    await expect(page.getByRole("heading", { level: 2 })).toBeVisible();
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    expect(width, tag).toBe(320);
+  };
+  await page.goto("about:blank");
+  await page.goto(address.replace("#", "?lang=ar#"));
+  await expectFits("ar");
+  let shown = "ar";
+  const others = languageTags().filter((tag) => tag !== "ar" && tag !== "en");
+  for (const tag of [...others, "en"]) {
+    await chooseInLanguageMenu(page, Texts.load(shown), tag);
+    await expectFits(tag);
+    shown = tag;
+  }
+}
 
-  await test.step("a revoked link ends at once, and a new one opens in the same tab", async () => {
-    const key = await ownerKey(corridor);
-    const created = await call(watch, "/keys", { key, body: { kind: "watch", replace: true } });
-    const { address } = (await created.json()) as { address: string };
-    const end = page.getByRole("alert");
-    await expect(end).toContainText("This watch link has ended");
-    await expect(banner).toHaveCount(0);
-    await expectNoAxeViolations(page, "a watch link that has ended");
-    await page.goto(address);
-    await expect(place).toBeVisible();
-  });
-
-  await test.step("the address of a script is explained, without its key and a robot", async () => {
-    await page.goto("about:blank");
-    await page.goto(drive);
-    const alert = page.getByRole("alert");
-    await expect(alert).toContainText("This address is for a script");
-    expect(page.url()).not.toContain("drv_");
-    expect(page.workers()).toHaveLength(0);
-    await expectNoAxeViolations(page, "a script's address in a browser");
-    await page.getByRole("link", { name: "How to write a script" }).click();
-    await expect(page).toHaveURL(/\/docs/);
-  });
-});
-
-test("explains what is wrong with a link, and leads to the start page", async ({ page }) => {
+/** What is wrong with a link, and the way to the start page. */
+async function explainsBrokenLinks(page: Page): Promise<void> {
   const id = "A".repeat(22);
   for (const [end, message] of [
     [id, "A part of this link is missing"],
@@ -181,44 +171,79 @@ test("explains what is wrong with a link, and leads to the start page", async ({
   }
   await page.getByRole("link", { name: "Open Corridor" }).click();
   await expect(page).toHaveURL(/\/$/);
-});
+}
 
-test("shows the robot where WebSockets are blocked", async ({ corridor, browser, relay }) => {
-  const { drive, watch } = await copyAddresses(corridor);
-  const proxy = await RelayProxy.start(relay);
-  // Not an openWindow fixture: the browser logs an error for the WebSocket that does not open.
-  const context = await browser.newContext(smallWindow);
-  const page = await context.newPage();
-  const paths: string[] = [];
-  page.on("request", (request) => paths.push(new URL(request.url()).pathname));
-  await page.goto(watch.replace(relay, proxy.url));
-  await expect(viewerPage(page).place).toBeVisible({ timeout: 20_000 });
-  await call(drive, "/commands", { body: { action: "move", distance: 50 } });
-  await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
-  await expectSamePlace(corridor, page);
-  expect(paths.some((path) => path.endsWith("/long-poll/messages"))).toBe(true);
-  await context.close();
-  await proxy.close();
-});
-
-test("fits a small phone without axe violations in every language", async ({
+// One robot and one viewer, because each page costs more than a step.
+test("shows the robot with any driver, and what happens to its page and to the link", async ({
   corridor,
   openWindow,
+  browser,
+  relay,
 }) => {
   test.slow();
-  const { watch, drive } = await copyAddresses(corridor);
-  const { page } = await openWindow({ viewport: { width: 320, height: 640 } });
+  const { drive, watch } = await copyAddresses(corridor);
+  const { page } = await openWindow({ ...smallWindow, colorScheme: "light" });
+  const requested: string[] = [];
+  page.on("request", (request) => requested.push(request.url()));
   await page.goto(watch);
-  await expect(viewerPage(page).place).toBeVisible();
-  await expectNoAxeViolations(page, "a viewer on a small phone");
-  for (const language of ["en", "ar", "de", "es", "fr", "ja", "pt", "zh-Hans"]) {
-    for (const address of [watch, drive]) {
-      await page.goto("about:blank");
-      await page.goto(address.replace("#", `?lang=${language}#`));
-      await expect(page.locator("html")).toHaveAttribute("lang", language);
-      await expect(page.getByRole("heading", { level: 2 })).toBeVisible();
-      const width = await page.evaluate(() => document.documentElement.scrollWidth);
-      expect(width, language).toBe(320);
-    }
-  }
+  const { banner, maze, status, place } = viewerPage(page);
+  await expect(banner).toBeVisible();
+  await expect(maze).toHaveText("Long way round");
+  await expect(status).toContainText("The robot waits for a script.");
+  await expectSamePlace(corridor, page);
+
+  await test.step("a script drives, also for a viewer whose network blocks WebSockets", async () => {
+    const blocked = await openWithoutWebSockets(browser, relay, watch);
+    await driveByScript(drive);
+    await expect(status).toContainText("A script drives.");
+    await expectSamePlace(corridor, page);
+    await expectSamePlace(corridor, blocked.page);
+    expect(blocked.paths.some((path) => path.endsWith("/long-poll/messages"))).toBe(true);
+    await blocked.close();
+  });
+  await test.step("the user drives", () => followsTheUser(corridor, page));
+  await test.step("the key is not in the address, and the theme stays after a reload", async () => {
+    expect(page.url()).toBe(watch.replace(/#.*/, ""));
+    await staysDarkAfterReload(page);
+    expect(requested.filter((url) => url.replace(watch, "").includes("wch_"))).toEqual([]);
+    // The viewer's page starts no robot: its only worker paints.
+    expect(page.workers()).toHaveLength(1);
+  });
+  await test.step("the page of the robot disconnects and reconnects", async () => {
+    await corridor.page.goto("about:blank");
+    await expect(status).toContainText("The robot’s page is closed or offline.");
+    await expectNoAxeViolations(page, "a viewer whose robot is disconnected");
+    await corridor.page.goBack();
+    await expect(status).toContainText("The robot waits for a script.");
+  });
+  await test.step("the page fits a small phone in every language", async () => {
+    await page.setViewportSize({ width: 320, height: 640 });
+    await expectNoAxeViolations(page, "a viewer on a small phone");
+    await fitsInEveryLanguage(page, drive);
+    await fitsInEveryLanguage(page, watch);
+    await page.setViewportSize(smallWindow.viewport);
+    await expect(place).toBeVisible();
+  });
+  await test.step("a revoked link ends at once, and a new one opens in the same tab", async () => {
+    const key = await ownerKey(corridor);
+    const created = await call(watch, "/keys", { key, body: { kind: "watch", replace: true } });
+    const { address } = (await created.json()) as { address: string };
+    const end = page.getByRole("alert");
+    await expect(end).toContainText("This watch link has ended");
+    await expect(banner).toHaveCount(0);
+    await expectNoAxeViolations(page, "a watch link that has ended");
+    await page.goto(address);
+    await expect(place).toBeVisible();
+  });
+  await test.step("the address of a script is explained, without its key and a robot", async () => {
+    await page.goto("about:blank");
+    await page.goto(drive);
+    await expect(page.getByRole("alert")).toContainText("This address is for a script");
+    expect(page.url()).not.toContain("drv_");
+    expect(page.workers()).toHaveLength(0);
+    await expectNoAxeViolations(page, "a script's address in a browser");
+    await page.getByRole("link", { name: "How to write a script" }).click();
+    await expect(page).toHaveURL(/\/docs/);
+  });
+  await test.step("what is wrong with a link is explained", () => explainsBrokenLinks(page));
 });
