@@ -4,6 +4,7 @@
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
 test.use(smallWindow);
@@ -23,7 +24,7 @@ async function visibleFraction(line: Locator): Promise<number> {
   });
 }
 
-test("shows that line 2 is true but was not read", async ({ corridor }) => {
+async function showsLineNotRead(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("right <", "60", "forward");
@@ -39,11 +40,9 @@ test("shows that line 2 is true but was not read", async ({ corridor }) => {
   );
   await expect(program.line(3)).toContainText("50 > 60");
   await expect(program.line(3)).toHaveAccessibleName(/Left is 50, false, not read this time\.$/);
-});
+}
 
-test("counts down a turn of otherwise, and a delayed turn: the distance before it, the turn and the distance after it", async ({
-  corridor,
-}) => {
+async function countsDownTurns(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.otherwise.selectOption("left 90");
@@ -75,9 +74,9 @@ test("counts down a turn of otherwise, and a delayed turn: the distance before i
   await expect.poll(filled).toBeGreaterThan(filledFirst);
   await expect(note(/^\d+ degrees? to go$/)).toBeVisible();
   await expect(note(/^\d+ cm to go$/)).toBeVisible();
-});
+}
 
-test("keeps the tick mark of a line in place while its number changes", async ({ corridor }) => {
+async function keepsTickMarkInPlace(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
@@ -102,11 +101,9 @@ test("keeps the tick mark of a line in place while its number changes", async ({
   );
   // Such as "250" and "241.7", or "103.4" and "98.1" on a machine that shows few frames.
   expect(seen.positions, `numbers of ${seen.lengths.join(", ")} characters`).toHaveLength(1);
-});
+}
 
-test("keeps every line in place, without notes on idle lines, while lines drive in turn", async ({
-  corridor,
-}) => {
+async function keepsLinesInPlace(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
@@ -143,9 +140,9 @@ test("keeps every line in place, without notes on idle lines, while lines drive 
   );
   expect(seen.positions, `while ${seen.drivers.join(", ")} drove`).toHaveLength(1);
   expect(seen.idleNotes).toEqual([]);
-});
+}
 
-test("shows which line bumped, and after what distance", async ({ corridor }) => {
+async function showsBumpedLine(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front <", "50", "delayed left 90");
@@ -155,9 +152,9 @@ test("shows which line bumped, and after what distance", async ({ corridor }) =>
   await expect(program.line(1)).toHaveAccessibleName(
     /^Line 1, look here: if front is less than 50/,
   );
-});
+}
 
-test("applies the advice on a line that can never decide, and undoes it", async ({ corridor }) => {
+async function appliesAdvice(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
@@ -182,7 +179,7 @@ test("applies the advice on a line that can never decide, and undoes it", async 
   await program.button("Undo").click();
   await expect(program.line(2)).toHaveAccessibleName(/if front is more than 100, turn 180\./);
   await expect(advice).toBeVisible();
-});
+}
 
 const advices = [
   {
@@ -223,7 +220,7 @@ const advices = [
   },
 ] as const;
 
-test("shows advice on a line, and fixes it with one press", async ({ corridor }) => {
+async function fixesWithOnePress(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   for (const { problem, condition, number, action, reason, fix, after } of advices) {
     await test.step(problem, async () => {
@@ -236,11 +233,9 @@ test("shows advice on a line, and fixes it with one press", async ({ corridor })
       await expect(program.line(1)).toBeFocused();
     });
   }
-});
+}
 
-test("runs a program despite its advice, and keeps dismissed advice hidden", async ({
-  corridor,
-}) => {
+async function keepsDismissedAdviceHidden(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("right >", "60", "right 90");
@@ -262,12 +257,10 @@ test("runs a program despite its advice, and keeps dismissed advice hidden", asy
   await program.addLine("front >", "5000", "turn 180");
   await expect(program.line(2).getByText(/is never true here/)).toBeVisible();
   await expect(advice).toBeHidden();
-});
+}
 
-test("keeps otherwise and Add line visible below a long program, and scrolls to the running line until the user scrolls away", async ({
-  corridor,
-  page,
-}) => {
+async function scrollsToRunningLine(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { program } = corridor;
   await page.setViewportSize({ width: 1024, height: 768 });
   await program.deleteAllLines();
@@ -303,6 +296,41 @@ test("keeps otherwise and Add line visible below a long program, and scrolls to 
   await expect(program.line(10)).toHaveAttribute("aria-current", "step");
   await corridor.waitForFrames(60);
   expect(await visibleFraction(program.line(1))).toBe(1);
+}
+
+// One page: each step writes its own program, after the first, which drives the given one.
+test("explains on its lines what the robot does, and gives advice", async ({ corridor }) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await corridor.reset.click();
+      await expect(corridor.clock).toHaveText("Time 0:00.0");
+      await corridor.speed.selectOption("1");
+    });
+  await step(
+    "keeps every line in place, without notes on idle lines, while lines drive in turn",
+    keepsLinesInPlace,
+  );
+  await step("shows that line 2 is true but was not read", showsLineNotRead);
+  await step(
+    "keeps the tick mark of a line in place while its number changes",
+    keepsTickMarkInPlace,
+  );
+  await step("shows which line bumped, and after what distance", showsBumpedLine);
+  await step("applies the advice on a line that can never decide, and undoes it", appliesAdvice);
+  await step("shows advice on a line, and fixes it with one press", fixesWithOnePress);
+  await step(
+    "runs a program despite its advice, and keeps dismissed advice hidden",
+    keepsDismissedAdviceHidden,
+  );
+  await step(
+    "keeps otherwise and Add line visible below a long program, and scrolls to the running line until the user scrolls away",
+    scrollsToRunningLine,
+  );
+  await step(
+    "counts down a turn of otherwise, and a delayed turn: the distance before it, the turn and the distance after it",
+    countsDownTurns,
+  );
 });
 
 test("scrolls to the running line in the sheet of a phone", async ({ openWindow }) => {
