@@ -1,167 +1,185 @@
 /**
  * Large fonts, a page zoom of 400 % and forced colours: all content is visible and usable.
  */
-import type { Page } from "playwright/test";
+import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { DashboardPage } from "./pages/dashboard-page.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { horizontalOverflow, unreadableTexts } from "./support/layout.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
-/** Doubles the browser's default font size, as its settings do. */
-async function doubleFontSize(page: Page): Promise<void> {
+/** Sets the browser's default font size in percent, as its settings do. */
+async function setFontSize(page: Page, percent: number): Promise<void> {
   const browser = await page.context().newCDPSession(page);
   await browser.send("Page.enable");
-  await browser.send("Page.setFontSizes", { fontSizes: { standard: 32, fixed: 26 } });
+  const [standard, fixed] = [(16 * percent) / 100, (13 * percent) / 100];
+  await browser.send("Page.setFontSizes", { fontSizes: { standard, fixed } });
 }
 
-for (const { width, height, isPhone } of [
+/** Collects what cannot be read on a page in its states. */
+class Readability {
+  readonly faults: string[] = [];
+  readonly #page: Page;
+
+  constructor(page: Page) {
+    this.#page = page;
+  }
+
+  async check(state: string): Promise<void> {
+    await waitForAnimations(this.#page);
+    const found = [
+      ...(await horizontalOverflow(this.#page)),
+      ...(await unreadableTexts(this.#page)),
+    ];
+    this.faults.push(...found.map((fault) => `${state}: ${fault}`));
+  }
+}
+
+async function expectReachable(controls: readonly Locator[]): Promise<void> {
+  for (const control of controls) {
+    await control.scrollIntoViewIfNeeded();
+    await expect(control).toBeInViewport();
+  }
+}
+
+function controlsOf({ run, step, share, program, maze }: CorridorPage): Locator[] {
+  return [
+    run,
+    step,
+    share,
+    program.line(1),
+    program.otherwise,
+    program.button("Add line"),
+    maze.grid,
+  ];
+}
+
+const screens = [
   { width: 1440, height: 900, isPhone: false },
   // In units of the font as wide as a phone, and low: the page scrolls as a whole.
   { width: 1024, height: 768, isPhone: true },
   { width: 390, height: 844, isPhone: true },
-]) {
-  test(`shows readable texts at a font size of 200 % at ${width} x ${height}`, async ({
-    openWindow,
-  }) => {
-    const corridor = await openWindow({ viewport: { width, height } });
-    const { page } = corridor;
-    await doubleFontSize(page);
-    await corridor.open();
-    const faults: string[] = [];
-    const checkTexts = async (state: string): Promise<void> => {
-      await waitForAnimations(page);
-      const found = [...(await horizontalOverflow(page)), ...(await unreadableTexts(page))];
-      faults.push(...found.map((fault) => `${state}: ${fault}`));
-    };
-    const checkOverlay = async (state: string, open: () => Promise<void>): Promise<void> => {
-      await open();
-      await expect(page.locator("dialog[open], :popover-open")).not.toHaveCount(0);
-      await checkTexts(state);
-      await page.keyboard.press("Escape");
-    };
-    await checkTexts("first visit");
-    await checkOverlay("keys", () => page.keyboard.press("?"));
-    await checkOverlay("share", () => corridor.share.click());
-    await checkOverlay("view", () => page.getByRole("button", { name: "View" }).click());
-    await checkOverlay("maze", () => corridor.mazeMenu.click());
-    await corridor.run.click();
-    await expect(corridor.timeline.slider).toBeVisible();
-    await expect(corridor.bumps).toBeAttached();
-    await corridor.pause.click();
-    await checkTexts("after a run");
-    await corridor.timeline.slider.press("Home");
-    await expect(corridor.timeline.pastLabel).toBeVisible();
-    await checkTexts("past");
-    await corridor.timeline.backToNow.click();
-    if (isPhone) {
-      for (const tab of ["Drive", "Presets", "Program"]) {
-        await page.getByRole("tab", { name: tab }).click();
-        await checkTexts(tab);
-      }
-    }
-    expect(faults).toEqual([]);
-    for (const control of [
-      corridor.run,
-      corridor.step,
-      corridor.share,
-      corridor.program.line(1),
-      corridor.program.otherwise,
-      corridor.program.button("Add line"),
-      corridor.maze.grid,
-    ]) {
-      await control.scrollIntoViewIfNeeded();
-      await expect(control).toBeInViewport();
-    }
-  });
-}
+];
 
-test("shows readable texts where a user style doubles the font size", async ({ openWindow }) => {
-  const corridor = await openWindow({ viewport: { width: 1440, height: 900 } });
-  await corridor.open();
+async function showsReadableTexts(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
-  await page.evaluate(() => document.documentElement.style.setProperty("font-size", "200%"));
-  expect(await horizontalOverflow(page)).toEqual([]);
-  await corridor.run.scrollIntoViewIfNeeded();
-  await expect(corridor.run).toBeInViewport();
-  await corridor.program.line(1).scrollIntoViewIfNeeded();
-  await expect(corridor.program.line(1)).toBeInViewport();
-});
-
-test("is usable at 400 %, when a window of 1280 x 1024 has 320 x 256 px", async ({
-  openWindow,
-}) => {
-  const corridor = await openWindow({ viewport: { width: 320, height: 256 } });
-  await corridor.open();
-  const { page } = corridor;
-  expect(await horizontalOverflow(page), "first visit").toEqual([]);
-  for (const control of [
-    corridor.maze.grid,
-    corridor.run,
-    corridor.step,
-    corridor.share,
-    corridor.program.line(1),
-    corridor.program.otherwise,
-    corridor.program.button("Add line"),
-  ]) {
-    await control.scrollIntoViewIfNeeded();
-    await expect(control).toBeInViewport();
+  const readability = new Readability(page);
+  const checkOverlay = async (state: string, open: () => Promise<void>): Promise<void> => {
+    await open();
+    await expect(page.locator("dialog[open], :popover-open")).not.toHaveCount(0);
+    await readability.check(state);
+    await page.keyboard.press("Escape");
+  };
+  for (const { width, height } of screens) {
+    await page.setViewportSize({ width, height });
+    await readability.check(`first visit, ${width} px`);
+    await checkOverlay(`keys, ${width} px`, () => page.keyboard.press("?"));
+    await checkOverlay(`share, ${width} px`, () => corridor.share.click());
+    const view = page.getByRole("button", { name: "View" });
+    await checkOverlay(`view, ${width} px`, () => view.click());
+    await checkOverlay(`maze, ${width} px`, () => corridor.mazeMenu.click());
   }
   await corridor.run.click();
-  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.timeline.slider).toBeVisible();
+  await expect(corridor.bumps).toBeAttached();
+  await corridor.pause.click();
+  for (const { width, height, isPhone } of screens) {
+    await page.setViewportSize({ width, height });
+    await readability.check(`after a run, ${width} px`);
+    await corridor.timeline.slider.press("Home");
+    await expect(corridor.timeline.pastLabel).toBeVisible();
+    await readability.check(`past, ${width} px`);
+    await corridor.timeline.backToNow.click();
+    for (const tab of isPhone ? ["Drive", "Presets", "Program"] : []) {
+      await page.getByRole("tab", { name: tab }).click();
+      await readability.check(`${tab}, ${width} px`);
+    }
+    await expectReachable(controlsOf(corridor));
+  }
+  expect(readability.faults).toEqual([]);
+}
+
+async function showsFocusAndState(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  await page.keyboard.press("Tab");
+  const outline = await page.evaluate(() => {
+    const { outlineStyle, outlineWidth } = getComputedStyle(
+      document.activeElement ?? document.body,
+    );
+    return { outlineStyle, width: Number.parseFloat(outlineWidth) };
+  });
+  expect(outline.outlineStyle).not.toBe("none");
+  expect(outline.width).toBeGreaterThanOrEqual(2);
+  await corridor.program.action(2).selectOption("delayed left 90");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  const card = corridor.bumpCard(2);
+  await expect(card).toBeVisible();
+  // A surface has a border where its background colour is removed.
+  const edges = await card.evaluate((element) => {
+    const { borderTopWidth, borderTopStyle, outlineStyle } = getComputedStyle(element);
+    return Number.parseFloat(borderTopWidth) > 0 && borderTopStyle !== "none"
+      ? "border"
+      : outlineStyle;
+  });
+  expect(edges).not.toBe("none");
+}
+
+test("is readable and usable with large fonts, at 400 % and in forced colours", async ({
+  page,
+}) => {
+  const corridor = new CorridorPage(page);
+  await test.step("shows readable texts at a font size of 200 %", async () => {
+    await setFontSize(page, 200);
+    await corridor.open();
+    await showsReadableTexts(corridor);
+    await setFontSize(page, 100);
+    await corridor.reset.click();
+  });
+  await test.step("is usable where a user style doubles the font size", async () => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await page.evaluate(() => document.documentElement.style.setProperty("font-size", "200%"));
+    expect(await horizontalOverflow(page)).toEqual([]);
+    await expectReachable([corridor.run, corridor.program.line(1)]);
+    await page.evaluate(() => document.documentElement.style.removeProperty("font-size"));
+  });
+  await test.step("is usable at 400 %, when a window of 1280 x 1024 has 320 x 256 px", async () => {
+    await page.setViewportSize({ width: 320, height: 256 });
+    expect(await horizontalOverflow(page), "first visit").toEqual([]);
+    await expectReachable(controlsOf(corridor));
+    await corridor.run.click();
+    await expect(corridor.pause).toBeVisible();
+    await corridor.reset.click();
+  });
+  await test.step("shows focus, selection and state in forced colours", async () => {
+    await page.setViewportSize(smallWindow.viewport);
+    await page.emulateMedia({ forcedColors: "active" });
+    await showsFocusAndState(corridor);
+  });
 });
 
-test("a dashboard is usable at 400 %", async ({ openWindow, relay }) => {
-  const { page } = await openWindow({ viewport: { width: 320, height: 256 } });
-  const teacher = await ClassTeacher.start(relay, ["A name of 24 letters wow"]);
-  const dashboard = new DashboardPage(page);
-  const faults: string[] = [];
-  const check = async (state: string): Promise<void> => {
-    await waitForAnimations(page);
-    const found = [...(await horizontalOverflow(page)), ...(await unreadableTexts(page))];
-    faults.push(...found.map((fault) => `${state}: ${fault}`));
-  };
+async function dashboardIsUsable(dashboard: DashboardPage): Promise<void> {
+  const { page } = dashboard;
   const button = (name: string) => page.getByRole("button", { name, exact: true });
-  await page.goto(teacher.address());
-  await expect(dashboard.code).toContainText("No student has joined yet.");
-  await check("nobody has joined");
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  student.askForHelp();
-  await expect(dashboard.cards).toHaveAccessibleName(/Asked for help/);
-  await check("a card");
   const sorting = page.getByRole("combobox", { name: "Sort by" });
-  for (const control of [sorting, button("Who can join"), dashboard.cards]) {
-    await control.scrollIntoViewIfNeeded();
-    await expect(control).toBeInViewport();
-  }
+  await expectReachable([sorting, button("Who can join"), dashboard.cards]);
   await expect(button("Pause everyone (5 min)")).toBeInViewport();
   await button("More").click();
   const more = page.getByRole("dialog", { name: "More" });
-  for (const name of ["End lesson", "Theme"]) {
-    const control = more.getByRole("button", { name, exact: true });
-    await control.scrollIntoViewIfNeeded();
-    await expect(control).toBeInViewport();
-  }
+  await expectReachable(
+    ["End lesson", "Theme"].map((name) => more.getByRole("button", { name, exact: true })),
+  );
   await page.keyboard.press("Escape");
   await dashboard.cards.click();
-  for (const name of ["Close", "Return code", "Remove"]) {
-    await button(name).scrollIntoViewIfNeeded();
-    await expect(button(name)).toBeInViewport();
-  }
+  await expectReachable(["Close", "Return code", "Remove"].map(button));
   expect(await horizontalOverflow(page), "watched student").toEqual([]);
-  expect(faults).toEqual([]);
-  student.close();
-});
+  await button("Close").click();
+}
 
-test("shows the cards of a dashboard in forced colours", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, ["Team 1"]);
-  const { cards } = new DashboardPage(page);
-  await page.emulateMedia({ forcedColors: "active" });
-  await page.goto(teacher.address());
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  student.askForHelp();
-  await expect(cards).toHaveAccessibleName(/Asked for help/);
+async function showsCardsInForcedColours({ page, cards }: DashboardPage): Promise<void> {
   await page.keyboard.press("n");
   await expect(cards).toBeFocused();
   const drawn = await cards.evaluate((card) => {
@@ -175,31 +193,27 @@ test("shows the cards of a dashboard in forced colours", async ({ page, relay })
   });
   expect(drawn.borders).toEqual([1, 1]);
   expect(drawn.outline).toBeGreaterThanOrEqual(2);
-  student.close();
-});
+}
 
-test("shows focus, selection and state in forced colours", async ({ corridor, page }) => {
+test("a dashboard is usable at 400 %, and shows its cards in forced colours", async ({
+  page,
+  relay,
+}) => {
+  await page.setViewportSize({ width: 320, height: 256 });
+  const teacher = await ClassTeacher.start(relay, ["A name of 24 letters wow"]);
+  const dashboard = new DashboardPage(page);
+  const readability = new Readability(page);
+  await page.goto(teacher.address());
+  await expect(dashboard.code).toContainText("No student has joined yet.");
+  await readability.check("nobody has joined");
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.askForHelp();
+  await expect(dashboard.cards).toHaveAccessibleName(/Asked for help/);
+  await readability.check("a card");
+  expect(readability.faults).toEqual([]);
+  await dashboardIsUsable(dashboard);
+  await page.setViewportSize({ width: 1440, height: 900 });
   await page.emulateMedia({ forcedColors: "active" });
-  await page.keyboard.press("Tab");
-  const outline = await page.evaluate(() => {
-    const { outlineStyle, outlineWidth } = getComputedStyle(
-      document.activeElement ?? document.body,
-    );
-    return { outlineStyle, width: Number.parseFloat(outlineWidth) };
-  });
-  expect(outline.outlineStyle).not.toBe("none");
-  expect(outline.width).toBeGreaterThanOrEqual(2);
-  await corridor.program.action(2).selectOption("delayed left 90");
-  await corridor.speed.selectOption("4×");
-  await corridor.run.click();
-  const card = corridor.bumpCard(2);
-  await expect(card).toBeVisible();
-  // A surface has a border where its background colour is removed.
-  const edges = await card.evaluate((element) => {
-    const { borderTopWidth, borderTopStyle, outlineStyle } = getComputedStyle(element);
-    return Number.parseFloat(borderTopWidth) > 0 && borderTopStyle !== "none"
-      ? "border"
-      : outlineStyle;
-  });
-  expect(edges).not.toBe("none");
+  await showsCardsInForcedColours(dashboard);
+  student.close();
 });
