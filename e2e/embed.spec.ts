@@ -10,6 +10,7 @@ import { shortLinkSchema } from "@corridor/protocol";
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright/test";
 import { expect, test as base } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 import { heightOf, HostSite, messagesOf, sendTo } from "./support/host-site.ts";
 
@@ -23,6 +24,13 @@ const test = base.extend<{ site: HostSite }>({
 });
 
 test.use(smallWindow);
+
+/** A page of another site with a frame, or of a visitor. */
+interface Visit {
+  page: Page;
+  relay: string;
+  site: HostSite;
+}
 
 const corridor: MazeDocument = {
   format: "corridor/maze",
@@ -73,11 +81,7 @@ async function storedAt(page: Page, relay: string) {
   }));
 }
 
-test("shows a task in a frame of another site, reports its runs to the site, and stores nothing", async ({
-  page,
-  relay,
-  site,
-}) => {
+async function reportsRunsAndStoresNothing({ page, relay, site }: Visit): Promise<void> {
   const before = await storedAt(page, relay);
   const frame = await site.open(page, `${relay}/embed#${linkOf({ lesson: lessonOf(task) })}`);
   await expect(frame.getByText("Drive to the goal without a bump.")).toBeVisible();
@@ -121,13 +125,9 @@ test("shows a task in a frame of another site, reports its runs to the site, and
   const after = await storedAt(page, relay);
   expect(after).toEqual(before);
   expect(after).toMatchObject({ local: {}, databases: [], caches: [], cookies: "" });
-});
+}
 
-test("follows the requests of the site, ignores everything else, and has the height of its content", async ({
-  page,
-  relay,
-  site,
-}) => {
+async function followsRequests({ page, relay, site }: Visit): Promise<void> {
   const program = rightWall;
   if (program === undefined) throw new Error("no program");
   const frame = await site.open(page, `${relay}/embed`);
@@ -191,16 +191,11 @@ test("follows the requests of the site, ignores everything else, and has the hei
   await expect.poll(heightOfFrame).toBeLessThan(high);
   await sendTo(page, { corridor: 1, type: "open", link: "1%" });
   await expect.poll(heightOfFrame).toBeLessThan(200);
-});
+}
 
-test("reads and stores nothing of the visitor, who has projects and settings", async ({
-  openWindow,
-  relay,
-  site,
-}) => {
-  const visitor = await openWindow();
-  const { page } = visitor;
-  await visitor.open();
+async function readsNothingOfVisitor({ page, relay, site }: Visit): Promise<void> {
+  const visitor = new CorridorPage(page);
+  await visitor.open(relay);
   await visitor.maze.click({ column: 2, row: 6 });
   await expect(visitor.saveState).toHaveText("Saved on this device");
   await page.evaluate(() => {
@@ -218,10 +213,9 @@ test("reads and stores nothing of the visitor, who has projects and settings", a
   await frame.getByRole("button", { name: "Run" }).click();
   await expect.poll(async () => (await messagesOf(page)).map(({ type }) => type)).toContain("met");
   expect(await storedAt(page, relay)).toEqual(before);
-});
+}
 
-test("works where the browser blocks storage in frames", async ({ openWindow, relay, site }) => {
-  const { page } = await openWindow();
+async function worksWithoutStorage({ page, relay, site }: Visit): Promise<void> {
   await page.addInitScript(() => {
     if (window === window.parent) return;
     for (const name of ["localStorage", "sessionStorage", "indexedDB", "caches"]) {
@@ -237,13 +231,9 @@ test("works where the browser blocks storage in frames", async ({ openWindow, re
   await frame.getByRole("combobox", { name: "action", exact: true }).selectOption("forward");
   await frame.getByRole("button", { name: "Run" }).click();
   await expect.poll(async () => (await messagesOf(page)).map(({ type }) => type)).toContain("met");
-});
+}
 
-test("shows a short link with the code that oEmbed gives to the site", async ({
-  page,
-  relay,
-  site,
-}) => {
+async function showsShortLink({ page, relay, site }: Visit): Promise<void> {
   const stored = await fetch(`${relay}/api/v1/mazes`, {
     method: "POST",
     headers: { "content-type": "application/json" },
@@ -260,7 +250,7 @@ test("shows a short link with the code that oEmbed gives to the site", async ({
     "href",
     `/m/${id}`,
   );
-});
+}
 
 test("cannot be framed anywhere else", async ({ browser, relay, site }) => {
   // Not an openWindow fixture: the browser logs an error for each refused frame, as expected.
@@ -288,11 +278,9 @@ test("cannot be framed anywhere else", async ({ browser, relay, site }) => {
   await context.close();
 });
 
-test("copies the code of a frame from the share dialog, in three sizes", async ({
-  corridor: start,
-  page,
-  site,
-}) => {
+async function copiesCodeOfFrame({ page, relay, site }: Visit): Promise<void> {
+  const start = new CorridorPage(page);
+  await start.open(relay);
   await start.choosePreset("Spiral");
   await start.share.click();
   const dialog = start.dialog("Share this maze");
@@ -304,14 +292,9 @@ test("copies the code of a frame from the share dialog, in three sizes", async (
   expect(html).toContain('width="1080"');
   const frame = await site.openHtml(page, html);
   await expect(frame.getByRole("heading", { name: "Spiral" })).toBeVisible();
-});
+}
 
-test("has no accessibility violations and no sideways scrolling at any width", async ({
-  page,
-  relay,
-  site,
-}) => {
-  test.slow();
+async function hasNoViolations({ page, relay, site }: Visit): Promise<void> {
   const frame = await site.open(page, `${relay}/embed#${linkOf({ lesson: lessonOf(task) })}`, 320);
   await expect(frame.getByRole("button", { name: "Run" })).toBeVisible();
   for (const width of [320, 390, 720, 1080]) {
@@ -338,4 +321,29 @@ test("has no accessibility violations and no sideways scrolling at any width", a
       .evaluate((html) => html.scrollWidth - html.clientWidth);
     expect(overflow, `${width} px`).toBe(0);
   }
+}
+
+// One browser for all frames: another one compiles everything again.
+test("shows, reports and stores in a frame of another site what it should", async ({
+  page,
+  relay,
+  site,
+}) => {
+  test.slow();
+  const visit = { page, relay, site };
+  await test.step("shows a task in a frame of another site, reports its runs to the site, and stores nothing", () =>
+    reportsRunsAndStoresNothing(visit));
+  await test.step("shows a short link with the code that oEmbed gives to the site", () =>
+    showsShortLink(visit));
+  await test.step("follows the requests of the site, ignores everything else, and has the height of its content", () =>
+    followsRequests(visit));
+  await test.step("has no accessibility violations and no sideways scrolling at any width", () =>
+    hasNoViolations(visit));
+  await page.emulateMedia({ colorScheme: "light", reducedMotion: null });
+  await test.step("copies the code of a frame from the share dialog, in three sizes", () =>
+    copiesCodeOfFrame(visit));
+  await test.step("reads and stores nothing of the visitor, who has projects and settings", () =>
+    readsNothingOfVisitor(visit));
+  await test.step("works where the browser blocks storage in frames", async () =>
+    worksWithoutStorage({ ...visit, page: await page.context().newPage() }));
 });
