@@ -3,7 +3,8 @@
  */
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { CorridorPage } from "./pages/corridor-page.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { chooseLanguage } from "./support/choose-language.ts";
 import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { Texts } from "./support/texts.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
@@ -20,13 +21,11 @@ async function boxOf(part: Locator): Promise<DOMRect> {
 const desktops = [
   { width: 1440, height: 900 },
   { width: 1024, height: 768 },
-];
+] as const;
 
-test("shows comparisons in one row, and does not cover scale and robot pose with the past bar, in English, German, French and Arabic", async ({
-  openWindow,
-}) => {
-  const { page } = await openWindow();
-  await clearStorageOnLoad(page);
+/** Compares in English, German, French and Arabic. Ends in English. */
+async function placesTextsInEachLanguage({ page }: CorridorPage): Promise<void> {
+  let shown = Texts.load("en");
   for (const { lang, inOneRow } of [
     { lang: "en", inOneRow: desktops },
     // A narrow line in German has two rows.
@@ -37,8 +36,8 @@ test("shows comparisons in one row, and does not cover scale and robot pose with
     const texts = Texts.load(lang);
     const button = (path: string): Locator =>
       page.getByRole("button", { name: texts.t(path), exact: true });
-    await page.goto(`/?lang=${lang}`);
-    await page.getByRole("grid").waitFor();
+    if (lang !== "en") await chooseLanguage(page, shown, lang);
+    shown = texts;
     for (const size of inOneRow) {
       await page.setViewportSize(size);
       await expectComparisonsInOneRow(page, `${lang}, ${size.width} px`);
@@ -65,8 +64,11 @@ test("shows comparisons in one row, and does not cover scale and robot pose with
       const describe = await button("speech.describe.button").boundingBox();
       expect(Math.abs((describe?.x ?? 0) - pose.right), state).toBeLessThan(16);
     }
+    await button("shell.run.reset").click();
+    await button("timeline.stepBack").waitFor({ state: "detached" });
   }
-});
+  await chooseLanguage(page, shown, "en");
+}
 
 /** The two lines of the first program compare a sensor with a number. */
 async function expectComparisonsInOneRow(page: Page, state: string): Promise<void> {
@@ -128,9 +130,7 @@ test("does not shift the panel while the page opens, also if its simulator loads
   }
 });
 
-test("shows the whole advice below an edited line in a scrolled list", async ({ openWindow }) => {
-  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
-  await corridor.open();
+async function showsWholeAdvice(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.action(2).focus();
   await program.action(2).selectOption("delayed left 90");
@@ -138,15 +138,10 @@ test("shows the whole advice below an edited line in a scrolled list", async ({ 
   await expect(fix).toBeInViewport({ ratio: 1 });
   await expect(program.action(2)).toBeInViewport({ ratio: 1 });
   await expect(program.action(2)).toBeFocused();
-});
+}
 
-test("shows the bump on a line whose hidden advice leaves room below it", async ({
-  openWindow,
-}) => {
-  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
-  await corridor.open();
+async function showsBumpBelowLine(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
-  await program.action(2).selectOption("delayed left 90");
   await expect(program.button("Change to left 90")).toBeVisible();
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -154,13 +149,10 @@ test("shows the bump on a line whose hidden advice leaves room below it", async 
   await expect(program.line(2).getByText(/^bumped after \d+ of 50 cm$/)).toBeInViewport({
     ratio: 1,
   });
-});
+}
 
-test("keeps Step under the pointer at each size, so that it can be pressed repeatedly", async ({
-  page,
-}) => {
-  const corridor = new CorridorPage(page);
-  await corridor.open();
+async function keepsStepInPlace(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const stepPosition = async () => {
     const box = await corridor.step.boundingBox();
     return [box?.x, box?.width];
@@ -189,6 +181,22 @@ test("keeps Step under the pointer at each size, so that it can be pressed repea
     await corridor.run.waitFor();
     await expect(corridor.clock).toHaveText("Time 0:00.0");
   }
+}
+
+test("shows the controls and texts of a program in their places at each size, in English, German, French and Arabic", async ({
+  corridor,
+  page,
+}) => {
+  await test.step("keeps Step under the pointer at each size, so that it can be pressed repeatedly", () =>
+    keepsStepInPlace(corridor));
+  await page.setViewportSize(desktops[0]);
+  await test.step("shows comparisons in one row, and does not cover scale and robot pose with the past bar", () =>
+    placesTextsInEachLanguage(corridor));
+  await page.setViewportSize(desktops[1]);
+  await test.step("shows the whole advice below an edited line in a scrolled list", () =>
+    showsWholeAdvice(corridor));
+  await test.step("shows the bump on a line whose hidden advice leaves room below it", () =>
+    showsBumpBelowLine(corridor));
 });
 
 test("shows run, steps, reset and speed in one row on phones, in English, German and Arabic", async ({
@@ -199,7 +207,8 @@ test("shows run, steps, reset and speed in one row on phones, in English, German
     { width: 320, height: 700 },
   ];
   const { page } = await openWindow({ hasTouch: true, isMobile: true });
-  await clearStorageOnLoad(page);
+  await page.goto("/");
+  let shown = Texts.load("en");
   for (const lang of ["en", "de", "ar"]) {
     const texts = Texts.load(lang);
     const button = (path: string): Locator =>
@@ -220,7 +229,8 @@ test("shows run, steps, reset and speed in one row on phones, in English, German
     const [step, back] = [button("shell.run.step"), button("timeline.stepBack")];
     // On the first visit the row includes "Write my own", whose label has at most two lines.
     const own = button("program.writeOwn");
-    await page.goto(`/?lang=${lang}`);
+    if (lang !== "en") await chooseLanguage(page, shown, lang);
+    shown = texts;
     await own.waitFor();
     await atEachSize(async (state) => {
       const difference = await topDifference(button("shell.run.run"), own, step, speed);
@@ -246,5 +256,7 @@ test("shows run, steps, reset and speed in one row on phones, in English, German
       const difference = await topDifference(button("shell.run.run"), back, step, speed);
       expect(difference, state).toBeLessThan(4);
     });
+    await speed.selectOption("1");
+    await button("shell.run.reset").tap();
   }
 });
