@@ -1,7 +1,9 @@
 /**
  * Every size of phone and tablet: large touch targets, and texts readable without zooming.
  */
+import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import {
   horizontalOverflow,
   smallTouchTargets,
@@ -22,35 +24,40 @@ const sizes = [
   [768, 1024],
   [1024, 768],
 ] as const;
-for (const [width, height] of sizes) {
-  test(`has readable texts and large touch targets at ${width} x ${height}`, async ({
-    openWindow,
-  }) => {
-    const corridor = await openWindow({ ...phone, viewport: { width, height } });
-    await corridor.open();
-    const { page } = corridor;
-    const expectUsable = async (state: string) => {
-      expect(await horizontalOverflow(page), state).toEqual([]);
-      expect(await smallTouchTargets(page), state).toEqual([]);
-      expect(await fieldsThatZoom(page), state).toEqual([]);
-      // Between the two limits, the page scrolls below its fixed footer.
-      if (width < 600 || height < 600) expect(await unreadableTexts(page), state).toEqual([]);
-    };
-    await expectUsable("first visit");
-    await corridor.step.tap();
-    await expect(corridor.timeline.slider).toBeInViewport();
-    await expectUsable("after a step");
-    if (width >= 600) return;
-    for (const name of ["Drive", "Presets"] as const) {
-      await tab(page, name).tap();
-      await expectUsable(name);
-    }
-  });
+
+async function expectUsable(page: Page, state: string): Promise<void> {
+  await waitForAnimations(page);
+  const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
+  const where = `${state}, ${width} x ${height}`;
+  expect(await horizontalOverflow(page), where).toEqual([]);
+  expect(await smallTouchTargets(page), where).toEqual([]);
+  expect(await fieldsThatZoom(page), where).toEqual([]);
+  // Between the two limits, the page scrolls below its fixed footer.
+  if (width < 600 || height < 600) expect(await unreadableTexts(page), where).toEqual([]);
 }
 
-test("has no field that makes the phone zoom in", async ({ openWindow }) => {
-  const corridor = await openWindow(smallestPhone);
-  await corridor.open();
+async function isUsableAtEachSize(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  for (const [width, height] of sizes) {
+    await page.setViewportSize({ width, height });
+    await expectUsable(page, "first visit");
+  }
+  await corridor.step.tap();
+  for (const [width, height] of sizes) {
+    await page.setViewportSize({ width, height });
+    await expect(corridor.timeline.slider).toBeInViewport();
+    await expectUsable(page, "after a step");
+  }
+  for (const [width, height] of sizes.filter(([each]) => each < 600)) {
+    await page.setViewportSize({ width, height });
+    for (const name of ["Drive", "Presets", "Program"] as const) {
+      await tab(page, name).tap();
+      await expectUsable(page, name);
+    }
+  }
+}
+
+async function hasNoFieldThatZooms(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
   const expectNoZoom = async (state: string) => {
     await expect(page.locator("input, select, textarea").first()).toBeAttached();
@@ -84,4 +91,14 @@ test("has no field that makes the phone zoom in", async ({ openWindow }) => {
   await page.getByRole("dialog").getByRole("radio", { name: "Remote" }).tap();
   await expect(page.getByRole("textbox", { name: "Script" })).toBeVisible();
   await expectNoZoom("remote");
+}
+
+test("has readable texts, large touch targets and no field that makes the phone zoom in, at each size", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  await isUsableAtEachSize(corridor);
+  await corridor.page.setViewportSize(smallestPhone.viewport);
+  await hasNoFieldThatZooms(corridor);
 });
