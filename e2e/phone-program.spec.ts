@@ -1,12 +1,11 @@
 /** Writing a program on a phone, fixing it after a bump, and going back in its run. */
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { TouchInput } from "./support/touch-input.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
 
-test("writes a program on a phone", async ({ openWindow }) => {
-  const corridor = await openWindow(phone);
-  await corridor.open();
+async function writesProgram(corridor: CorridorPage): Promise<void> {
   const { program, page } = corridor;
   for (const remaining of [2, 1]) {
     await expect(program.lines).toHaveCount(remaining);
@@ -25,11 +24,9 @@ test("writes a program on a phone", async ({ openWindow }) => {
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
   await expect(corridor.robotPose).toHaveText(/facing left/);
   await expect(corridor.bumps).toHaveText("0 bumps");
-});
+}
 
-test("moves and deletes a line through its menu", async ({ openWindow }) => {
-  const corridor = await openWindow(phone);
-  await corridor.open();
+async function movesAndDeletesLine(corridor: CorridorPage): Promise<void> {
   const { program, page } = corridor;
   await page.getByRole("button", { name: "Move or delete line 2" }).tap();
   const menu = corridor.dialog("Move or delete line 2");
@@ -41,64 +38,43 @@ test("moves and deletes a line through its menu", async ({ openWindow }) => {
   await expect(program.lines).toHaveCount(1);
   await corridor.messages.getByRole("button", { name: "Undo" }).tap();
   await expect(program.lines).toHaveCount(2);
-});
-
-for (const device of [phone, smallestPhone]) {
-  const { width, height } = device.viewport;
-  test(`shows the bump card and applies its fix at ${width} x ${height}`, async ({
-    openWindow,
-  }) => {
-    const corridor = await openWindow(device);
-    await corridor.open();
-    const { page, program } = corridor;
-    await program.action(2).selectOption("delayed left 90");
-    await corridor.speed.selectOption("4×");
-    await corridor.run.tap();
-    const card = corridor.bumpCard(2);
-    await expect(card).toBeVisible();
-    await expect(card).toContainText(
-      /with (4\d|50) cm in front\. It drives on first and needs 75 cm\./,
-    );
-    // The whole maze stays visible above the card, and the whole card can be tapped.
-    const maze = await boxOf(corridor.maze.grid);
-    await expect
-      .poll(async () => (await boxOf(card)).y)
-      .toBeGreaterThanOrEqual(maze.y + maze.height);
-    await expect(card.getByRole("button", { name: "Close" })).toBeInViewport({ ratio: 1 });
-    const fix = card.getByRole("button", { name: "Change to left 90" });
-    await expect(fix).toBeInViewport({ ratio: 1 });
-    expect(await horizontalOverflow(page)).toEqual([]);
-    await fix.tap();
-    await expect(card).toBeHidden();
-    await expect(program.action(2)).toHaveValue("left 90");
-  });
 }
 
-for (const [width, height] of [
-  [390, 844],
-  [320, 568],
-  [667, 375],
-] as const) {
-  test(`moves neither maze nor buttons when a run starts at ${width} x ${height}`, async ({
-    openWindow,
-  }) => {
-    const corridor = await openWindow({ ...phone, viewport: { width, height } });
-    await corridor.open();
-    const places = async () => ({
-      maze: await boxOf(corridor.maze.grid),
-      step: await boxOf(corridor.step),
-      timeline: (await boxOf(corridor.transport)).y,
-    });
-    const before = await places();
-    await corridor.run.tap();
-    await expect(corridor.timeline.slider).toBeInViewport();
-    expect(await places()).toEqual(before);
-  });
+async function fixesBump(corridor: CorridorPage): Promise<void> {
+  const { page, program } = corridor;
+  await program.action(2).selectOption("delayed left 90");
+  await corridor.speed.selectOption("4×");
+  await corridor.run.tap();
+  const card = corridor.bumpCard(2);
+  await expect(card).toBeVisible();
+  await expect(card).toContainText(
+    /with (4\d|50) cm in front\. It drives on first and needs 75 cm\./,
+  );
+  // The whole maze stays visible above the card, and the whole card can be tapped.
+  const maze = await boxOf(corridor.maze.grid);
+  await expect.poll(async () => (await boxOf(card)).y).toBeGreaterThanOrEqual(maze.y + maze.height);
+  await expect(card.getByRole("button", { name: "Close" })).toBeInViewport({ ratio: 1 });
+  const fix = card.getByRole("button", { name: "Change to left 90" });
+  await expect(fix).toBeInViewport({ ratio: 1 });
+  expect(await horizontalOverflow(page)).toEqual([]);
+  await fix.tap();
+  await expect(card).toBeHidden();
+  await expect(program.action(2)).toHaveValue("left 90");
 }
 
-test("scrubs the timeline on a phone", async ({ openWindow }) => {
-  const corridor = await openWindow(phone);
-  await corridor.open();
+async function movesNothingAtStart(corridor: CorridorPage): Promise<void> {
+  const places = async () => ({
+    maze: await boxOf(corridor.maze.grid),
+    step: await boxOf(corridor.step),
+    timeline: (await boxOf(corridor.transport)).y,
+  });
+  const before = await places();
+  await corridor.run.tap();
+  await expect(corridor.timeline.slider).toBeInViewport();
+  expect(await places()).toEqual(before);
+}
+
+async function scrubsTimeline(corridor: CorridorPage): Promise<void> {
   const { page, timeline } = corridor;
   await corridor.speed.selectOption("max");
   await corridor.run.tap();
@@ -118,4 +94,41 @@ test("scrubs the timeline on a phone", async ({ openWindow }) => {
   await timeline.backToNow.tap();
   await expect(corridor.transport).toBeHidden();
   await expect(corridor.robotPose).toHaveText(end ?? "");
+}
+
+async function startOver(corridor: CorridorPage): Promise<void> {
+  await corridor.reset.tap();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await corridor.dismissMessages();
+}
+
+test("programs a robot on a phone", async ({ openWindow }) => {
+  const corridor = await openWindow(phone);
+  const { page } = corridor;
+  await corridor.open();
+  for (const [width, height] of [
+    [667, 375],
+    [320, 568],
+    [390, 844],
+  ] as const) {
+    await test.step(`moves neither maze nor buttons when a run starts at ${width} x ${height}`, async () => {
+      await page.setViewportSize({ width, height });
+      await movesNothingAtStart(corridor);
+      await startOver(corridor);
+    });
+  }
+  await test.step("scrubs the timeline", async () => {
+    await scrubsTimeline(corridor);
+    await tab(page, "Program").tap();
+    await startOver(corridor);
+  });
+  for (const { viewport } of [smallestPhone, phone]) {
+    await test.step(`shows the bump card and applies its fix at ${viewport.width} x ${viewport.height}`, async () => {
+      await page.setViewportSize(viewport);
+      await fixesBump(corridor);
+      await startOver(corridor);
+    });
+  }
+  await test.step("moves and deletes a line through its menu", () => movesAndDeletesLine(corridor));
+  await test.step("writes a program", () => writesProgram(corridor));
 });
