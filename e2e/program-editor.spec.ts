@@ -4,12 +4,13 @@
  */
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 const goal = /^Goal reached after 39\.6 s \(tick 2380\)/;
 
-test("builds the right-wall program with the mouse, runs it and reaches the goal", async ({
-  corridor,
-}) => {
+async function buildsWithMouse(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await program.deleteAllLines();
   await expect(program.lines).toHaveCount(0);
@@ -29,9 +30,10 @@ test("builds the right-wall program with the mouse, runs it and reaches the goal
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(goal);
-});
+}
 
-test("builds the same program by keyboard alone", async ({ corridor, page }) => {
+async function buildsByKeyboard(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { program } = corridor;
   const { keyboard } = page;
   await program.line(1).focus();
@@ -70,7 +72,7 @@ test("builds the same program by keyboard alone", async ({ corridor, page }) => 
   await keyboard.type("max");
   await keyboard.press("Control+Enter");
   await expect(corridor.runNote).toHaveText(goal);
-});
+}
 
 /** The value of an option in the condition menu of the first line. */
 async function optionValue(corridor: CorridorPage, label: string): Promise<string> {
@@ -78,10 +80,8 @@ async function optionValue(corridor: CorridorPage, label: string): Promise<strin
   return (await option.first().getAttribute("value")) ?? "";
 }
 
-test("moves lines by buttons and keys, and keeps the focus on the line", async ({
-  corridor,
-  page,
-}) => {
+async function movesLines(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { program } = corridor;
   const right = /if right is more than 60/;
   const front = /if front is less than 50/;
@@ -107,9 +107,10 @@ test("moves lines by buttons and keys, and keeps the focus on the line", async (
   await page.keyboard.press("Delete");
   await expect(program.number(2)).toHaveValue("0");
   await expect(program.lines).toHaveCount(2);
-});
+}
 
-test("deletes a line, and restores it from the message", async ({ corridor, page }) => {
+async function deletesLine(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { program } = corridor;
   await program.button("Delete line 1").click();
   await expect(program.lines).toHaveCount(1);
@@ -127,11 +128,9 @@ test("deletes a line, and restores it from the message", async ({ corridor, page
   await expect(program.lines).toHaveCount(2);
   await page.keyboard.press("Control+Shift+Z");
   await expect(program.lines).toHaveCount(1);
-});
+}
 
-test("shows each line's truth value with its numbers, and the line that decides", async ({
-  corridor,
-}) => {
+async function showsTruthValues(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await expect(program.line(1)).toContainText("50 > 60");
   await expect(program.line(1)).toHaveAccessibleName(/Right is 50, false\.$/);
@@ -159,9 +158,9 @@ test("shows each line's truth value with its numbers, and the line that decides"
   await program.condition(1).selectOption("left > right +");
   await expect(program.number(1)).toHaveValue("40");
   await expect(program.line(1)).toHaveAccessibleName(/if left is more than right plus 40/);
-});
+}
 
-test("explains an invalid number, and restores the last valid one", async ({ corridor }) => {
+async function explainsInvalidNumber(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   const number = program.number(1);
   for (const text of ["", "sixty", "-1", "100001", "1e3x"]) {
@@ -178,9 +177,10 @@ test("explains an invalid number, and restores the last valid one", async ({ cor
   await number.blur();
   await expect(number).toHaveValue("72.5");
   await expect(program.line(1)).toHaveAccessibleName(/if right is more than 72\.5/);
-});
+}
 
-test("does not lose a press on a button below an invalid number", async ({ corridor, page }) => {
+async function keepsPressBelowInvalidNumber(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { program } = corridor;
   const error = program.region.getByText("Type a distance");
   // A real press holds the button down while the field loses the focus and the page renders.
@@ -200,7 +200,7 @@ test("does not lose a press on a button below an invalid number", async ({ corri
   await expect(program.line(1)).toHaveAccessibleName(/if front is less than 50/);
   await expect(error).toHaveCount(0);
   await expect(program.number(2)).toHaveValue("60");
-});
+}
 
 const algorithms = [
   { name: "Back and forth", lines: 1 },
@@ -210,7 +210,7 @@ const algorithms = [
   { name: "Left at every wall", lines: 1 },
 ];
 
-test("loads each ready-made algorithm, and undoes the last one", async ({ corridor }) => {
+async function loadsEachAlgorithm(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   for (const { name, lines } of algorithms) {
     await program.loadAlgorithm(name);
@@ -224,9 +224,9 @@ test("loads each ready-made algorithm, and undoes the last one", async ({ corrid
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(corridor.runNote).toContainText("Goal reached after 38.5 s (tick 2310)");
-});
+}
 
-test("applies an edit of a line to the running robot immediately", async ({ corridor }) => {
+async function appliesEditImmediately(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   await corridor.choosePreset("Empty");
   await program.deleteAllLines();
@@ -235,4 +235,42 @@ test("applies an edit of a line to the running robot immediately", async ({ corr
   await expect(corridor.robotPose).toHaveText(/facing up/);
   await program.otherwise.selectOption("forward");
   await expect(corridor.robotPose).not.toHaveText(/^Robot at 50, 650/);
+}
+
+/** The first program again, and the robot at its start. */
+async function startOver(corridor: CorridorPage): Promise<void> {
+  const undo = corridor.program.button("Undo");
+  while (await undo.isEnabled()) await undo.click();
+  await expect(corridor.program.line(1)).toHaveAccessibleName(/if right is more than 60, delayed/);
+  await expect(corridor.program.line(2)).toHaveAccessibleName(/if front is less than 50, left 90/);
+  await corridor.reset.click();
+  await corridor.dismissMessages();
+  await corridor.speed.selectOption("1");
+}
+
+test("edits a program, and observes it as it runs", async ({ corridor }) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await startOver(corridor);
+    });
+  await step("loads each ready-made algorithm, and undoes the last one", loadsEachAlgorithm);
+  await step(
+    "shows each line's truth value with its numbers, and the line that decides",
+    showsTruthValues,
+  );
+  await step("explains an invalid number, and restores the last valid one", explainsInvalidNumber);
+  await step(
+    "does not lose a press on a button below an invalid number",
+    keepsPressBelowInvalidNumber,
+  );
+  await step("moves lines by buttons and keys, and keeps the focus on the line", movesLines);
+  await step("deletes a line, and restores it from the message", deletesLine);
+  await step(
+    "builds the right-wall program with the mouse, runs it and reaches the goal",
+    buildsWithMouse,
+  );
+  await step("builds the same program by keyboard alone", buildsByKeyboard);
+  await test.step("applies an edit of a line to the running robot immediately", () =>
+    appliesEditImmediately(corridor));
 });
