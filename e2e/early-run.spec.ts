@@ -6,6 +6,7 @@
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
+import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
@@ -49,7 +50,7 @@ async function invitation(page: Page): Promise<Locator> {
   return page.getByText(text ?? "", { exact: true }).filter({ visible: true });
 }
 
-test("continues in the page a run that started before the page's main script", async ({ page }) => {
+async function continuesRun(page: Page): Promise<void> {
   const releaseScript = await delayScript(page);
   const corridor = new CorridorPage(page);
   await page.goto("/", { waitUntil: "commit" });
@@ -68,9 +69,9 @@ test("continues in the page a run that started before the page's main script", a
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   await corridor.timeline.backToNow.click();
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
-});
+}
 
-test("displays the page while the simulator's file does not load", async ({ page }) => {
+async function waitsForSimulator(page: Page): Promise<void> {
   let releaseScript = (): void => {};
   const released = new Promise<void>((resolve) => (releaseScript = resolve));
   await page.route(/\/assets\/simulator\.worker-[\w-]+\.js$/, async (route) => {
@@ -85,23 +86,9 @@ test("displays the page while the simulator's file does not load", async ({ page
   releaseScript();
   await expect(corridor.pause).toBeVisible();
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(90);
-});
+}
 
-test("fetches each file of the page once, with the robot's first tick", async ({ page }) => {
-  const requested: string[] = [];
-  page.on("request", (request) => requested.push(new URL(request.url()).pathname));
-  const corridor = new CorridorPage(page);
-  await page.goto("/", { waitUntil: "commit" });
-  await corridor.run.click();
-  await corridor.waitUntilReady();
-  const scripts = requested.filter((path) => /\/assets\/(?:index|react)-[\w-]+\.js$/.test(path));
-  expect(scripts.map((path) => path.replace(/-[\w-]+\.js$/, "")).toSorted()).toEqual([
-    "/assets/index",
-    "/assets/react",
-  ]);
-});
-
-test("pauses before the page's main script, and continues after it", async ({ page }) => {
+async function continuesPaused(page: Page): Promise<void> {
   const releaseScript = await delayScript(page);
   const corridor = new CorridorPage(page);
   await page.goto("/", { waitUntil: "commit" });
@@ -113,73 +100,30 @@ test("pauses before the page's main script, and continues after it", async ({ pa
   await corridor.waitUntilReady();
   await expect(corridor.run).toBeVisible();
   await expect.poll(() => corridor.robotX()).toBe(Math.round(50 + (tick * 5) / 3));
-});
+}
 
-test("presses Run by keyboard, and keeps the focus on the button when the page takes over", async ({
-  page,
-}) => {
-  const releaseScript = await delayScript(page);
-  const corridor = new CorridorPage(page);
-  await page.goto("/", { waitUntil: "commit" });
-  await expect(corridor.run).toBeVisible();
-  await page.keyboard.press("Tab");
-  await expect(corridor.run).toBeFocused();
-  await page.keyboard.press("Enter");
-  await expect(corridor.pause).toBeFocused();
-  releaseScript();
-  await corridor.waitUntilReady();
-  await expect(corridor.pause).toBeFocused();
-  await page.keyboard.press("Space");
-  await expect(corridor.run).toBeFocused();
-});
-
-test("shows Run in the browser's language, and the page's names too", async ({ page }) => {
+async function runsByKeyboardInGerman(page: Page): Promise<void> {
   const releaseScript = await delayScript(page);
   await page.goto("/?lang=de", { waitUntil: "commit" });
   const transport = page.getByRole("region", { name: "Lauf" });
-  await transport.getByRole("button", { name: "Starten", exact: true }).click();
+  const run = transport.getByRole("button", { name: "Starten", exact: true });
+  const pause = transport.getByRole("button", { name: "Pause", exact: true });
+  await expect(run).toBeVisible();
+  await page.keyboard.press("Tab");
+  await expect(run).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(pause).toBeFocused();
   await expect.poll(() => reportedTick(page)).toBeGreaterThan(10);
   releaseScript();
-  await transport.getByRole("button", { name: "Pause", exact: true }).click();
   await expect(page.getByRole("button", { name: /^Langer Umweg/ })).toBeVisible();
   await expect(page.locator("html")).toHaveAttribute("lang", "de");
-});
+  await expect(pause).toBeFocused();
+  await page.keyboard.press("Space");
+  await expect(run).toBeFocused();
+}
 
-test("waits with Run for a saved project", async ({ corridor, page }) => {
-  await corridor.choosePreset("Spiral");
-  await expect(corridor.saveState).toHaveText("Saved on this device");
-  const releaseScript = await delayScript(page);
-  await page.reload({ waitUntil: "commit" });
-  await expect(page.locator("#wordmark")).toBeAttached();
-  await corridor.waitForFrames(10);
-  await expect(corridor.run).toBeHidden();
-  releaseScript();
-  await corridor.waitUntilReady();
-  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
-  await corridor.run.click();
-  await expect(corridor.pause).toBeVisible();
-});
-
-test("waits with Run for a link to open", async ({ corridor, page, openWindow }) => {
-  await corridor.choosePreset("Comb");
-  const link = await corridor.shareLink({ withProgram: true });
-  const other = await openWindow();
-  const releaseScript = await delayScript(other.page);
-  await other.page.goto(link, { waitUntil: "commit" });
-  await expect(other.page.locator("#wordmark")).toBeAttached();
-  await other.waitForFrames(10);
-  await expect(other.run).toBeHidden();
-  releaseScript();
-  await other.waitUntilReady();
-  await expect(other.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
-  await expect(other.page).toHaveURL("/");
-  await expect(page).toHaveURL(link);
-});
-
-test("shows the invitation from the first paint on, in one place, while the page takes over", async ({
-  openWindow,
-}) => {
-  const { page } = await openWindow({ viewport: { width: 390, height: 844 } });
+async function showsInvitationInOnePlace(page: Page): Promise<void> {
+  await page.setViewportSize({ width: 390, height: 844 });
   const releaseScript = await delayScript(page);
   await page.goto("/", { waitUntil: "commit" });
   await expect(page.locator("[data-does=run]")).toBeVisible();
@@ -203,12 +147,24 @@ test("shows the invitation from the first paint on, in one place, while the page
   await expect(page.locator("#root [data-word]")).toHaveCount(0);
   const rects = await page.evaluate(() => [...(Reflect.get(window, "rectsSeen") as Set<string>)]);
   expect(rects).toEqual([await box(page.getByText(text ?? "", { exact: true }))]);
-});
+}
 
-test("does not repeat a dismissed invitation before the page's main script", async ({ page }) => {
-  const corridor = new CorridorPage(page);
-  await page.goto("/");
+async function fetchesFilesOnce(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  const requested: string[] = [];
+  page.on("request", (request) => requested.push(new URL(request.url()).pathname));
+  await page.goto("/", { waitUntil: "commit" });
+  await corridor.run.click();
   await corridor.waitUntilReady();
+  const scripts = requested.filter((path) => /\/assets\/(?:index|react)-[\w-]+\.js$/.test(path));
+  expect(scripts.map((path) => path.replace(/-[\w-]+\.js$/, "")).toSorted()).toEqual([
+    "/assets/index",
+    "/assets/react",
+  ]);
+}
+
+async function doesNotRepeatInvitation(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.getByRole("button", { name: "Not now" }).click();
   const releaseScript = await delayScript(page);
   await page.goto("/", { waitUntil: "commit" });
@@ -218,7 +174,42 @@ test("does not repeat a dismissed invitation before the page's main script", asy
   releaseScript();
   await corridor.waitUntilReady();
   await expect(page.getByText("New here?")).toHaveCount(0);
-});
+}
+
+async function waitsForProject(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  await corridor.choosePreset("Spiral");
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  const releaseScript = await delayScript(page);
+  await page.reload({ waitUntil: "commit" });
+  await expect(page.locator("#wordmark")).toBeAttached();
+  await corridor.waitForFrames(10);
+  await expect(corridor.run).toBeHidden();
+  releaseScript();
+  await corridor.waitUntilReady();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
+}
+
+async function waitsForLink(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  await corridor.choosePreset("Comb");
+  const link = await corridor.shareLink({ withProgram: true });
+  // Another user, who has no project.
+  const other = new CorridorPage(await page.context().newPage());
+  await clearStorageOnLoad(other.page);
+  const releaseScript = await delayScript(other.page);
+  await other.page.goto(link, { waitUntil: "commit" });
+  await expect(other.page.locator("#wordmark")).toBeAttached();
+  await other.waitForFrames(10);
+  await expect(other.run).toBeHidden();
+  releaseScript();
+  await other.waitUntilReady();
+  await expect(other.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
+  await expect(other.page).toHaveURL("/");
+  await expect(page).toHaveURL(link);
+}
 
 const sizes = [
   { width: 1440, height: 900 },
@@ -227,35 +218,63 @@ const sizes = [
   { width: 700, height: 500 },
   { width: 390, height: 844 },
   { width: 320, height: 640 },
-];
+] as const;
 
-// The page takes over the shell at the last size: a wide one in one language, a phone in the other.
-for (const { lang, inOrder } of [
-  { lang: "en", inOrder: sizes },
-  { lang: "ar", inOrder: sizes.toReversed() },
-]) {
-  test(`has the layout of the page before the page's script at each size, in ${lang}`, async ({
-    page,
-  }) => {
-    const releaseScript = await delayScript(page);
-    await page.goto(`/?lang=${lang}`, { waitUntil: "commit" });
-    const run = page.locator("[data-does=run]");
-    await run.waitFor();
-    await waitForPaint(page);
-    const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
-    parts.push(await invitation(page));
-    const boxesAt = async (size: (typeof sizes)[number]) => {
-      await page.setViewportSize(size);
-      await waitForAnimations(page);
-      return { size, boxes: await Promise.all(parts.map(box)) };
-    };
-    const before: Awaited<ReturnType<typeof boxesAt>>[] = [];
-    for (const size of inOrder) before.push(await boxesAt(size));
-    releaseScript();
-    await page.locator("main canvas").first().waitFor({ state: "attached" });
-    await page.locator("[data-early]").first().waitFor({ state: "detached" });
-    for (const expected of before.toReversed()) {
-      expect(await boxesAt(expected.size)).toEqual(expected);
-    }
-  });
+type Size = (typeof sizes)[number];
+
+async function hasLayoutBeforeScript(page: Page, lang: string, inOrder: readonly Size[]) {
+  const releaseScript = await delayScript(page);
+  await page.goto(`/?lang=${lang}`, { waitUntil: "commit" });
+  const run = page.locator("[data-does=run]");
+  await run.waitFor();
+  await waitForPaint(page);
+  const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
+  parts.push(await invitation(page));
+  const boxesAt = async (size: Size) => {
+    await page.setViewportSize(size);
+    await waitForAnimations(page);
+    return { size, boxes: await Promise.all(parts.map(box)) };
+  };
+  const before: Awaited<ReturnType<typeof boxesAt>>[] = [];
+  for (const size of inOrder) before.push(await boxesAt(size));
+  releaseScript();
+  await page.locator("main canvas").first().waitFor({ state: "attached" });
+  await page.locator("[data-early]").first().waitFor({ state: "detached" });
+  for (const expected of before.toReversed()) {
+    expect(await boxesAt(expected.size)).toEqual(expected);
+  }
 }
+
+test("takes over in the page what happened before the page's main script on a first visit", async ({
+  page,
+}) => {
+  await clearStorageOnLoad(page);
+  await test.step("continues in the page a run that started before the page's main script", () =>
+    continuesRun(page));
+  await test.step("displays the page while the simulator's file does not load", () =>
+    waitsForSimulator(page));
+  await test.step("pauses before the page's main script, and continues after it", () =>
+    continuesPaused(page));
+  await test.step("presses Run by keyboard in the browser's language, and keeps the focus on the button when the page takes over", () =>
+    runsByKeyboardInGerman(page));
+  await test.step("shows the invitation from the first paint on, in one place, while the page takes over", () =>
+    showsInvitationInOnePlace(page));
+  // The page takes over the shell at the last size: a wide one in one language, a phone in the other.
+  for (const { lang, inOrder } of [
+    { lang: "en", inOrder: sizes },
+    { lang: "ar", inOrder: sizes.toReversed() },
+  ]) {
+    await test.step(`has the layout of the page before the page's script at each size, in ${lang}`, () =>
+      hasLayoutBeforeScript(page, lang, inOrder));
+  }
+});
+
+test("opens the page with what is stored, and each file once", async ({ page }) => {
+  const corridor = new CorridorPage(page);
+  await test.step("fetches each file of the page once, with the robot's first tick", () =>
+    fetchesFilesOnce(corridor));
+  await test.step("does not repeat a dismissed invitation before the page's main script", () =>
+    doesNotRepeatInvitation(corridor));
+  await test.step("waits with Run for a saved project", () => waitsForProject(corridor));
+  await test.step("waits with Run for a link to open", () => waitsForLink(corridor));
+});
