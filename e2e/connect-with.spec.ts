@@ -5,6 +5,9 @@ import { RelayProcess } from "../tests/support/relay-process.ts";
 import { expect, test } from "./fixtures.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
 import { api, copyAddress } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 function connect(page: Page) {
   const section = page.getByRole("region", { name: "Connect with" });
@@ -38,56 +41,6 @@ async function callRos(url: string): Promise<void> {
   socket.close();
 }
 
-test("a tool that has only the URL connects, by one key that a reload keeps, until it is revoked", async ({
-  page,
-}) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  const panel = connect(page);
-  const url = await panel.copy("Any rosbridge tool");
-  expect(url).toMatch(/^ws:\/\/\S+\/ros\/url_[\w-]+$/);
-  await expect(panel.text).toHaveValue(/\/ros\/•••• •••• \S{4}$/);
-  await expect(panel.mark).toBeHidden();
-  await callRos(url);
-  await expect(panel.mark).toBeVisible();
-  await page.reload();
-  await expect(panel.kind).toBeVisible();
-  expect(await panel.copy("Any rosbridge tool ✓")).toBe(url);
-  await openMoreSection(page);
-  const keys = page.getByRole("region", { name: "Keys" }).getByRole("listitem");
-  const urlKey = keys.filter({ hasText: "in a URL" });
-  await expect(urlKey).toHaveCount(1);
-  await urlKey.getByRole("button", { name: "Revoke" }).click();
-  await expect(urlKey).toHaveCount(0);
-  const next = await panel.copy("Any rosbridge tool ✓");
-  expect(next).not.toBe(url);
-  await callRos(next);
-  expect((await api(address, "/sensors")).status).toBe(200);
-});
-
-test("marks each kind at its first message", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  const panel = connect(page);
-  const settings = JSON.parse(await panel.copy("VS Code (MCP)")) as {
-    servers: { corridor: { url: string; headers: Record<string, string> } };
-  };
-  await expect(panel.mark).toBeHidden();
-  const { url, headers } = settings.servers.corridor;
-  const agent = new Client({ name: "agent", version: "1.0.0" });
-  await agent.connect(
-    new StreamableHTTPClientTransport(new URL(url), { requestInit: { headers } }),
-  );
-  await agent.callTool({ name: "sense", arguments: {} });
-  await agent.close();
-  await expect(panel.mark).toBeVisible();
-  await panel.kind.selectOption("curl");
-  await expect(panel.mark).toBeHidden();
-  await api(address, "/sensors");
-  await panel.kind.selectOption("javascript");
-  await expect(panel.mark).toBeVisible();
-});
-
 test("offers only what a service without gateways serves, in the page and in the documentation", async ({
   page,
 }) => {
@@ -108,9 +61,52 @@ test("offers only what a service without gateways serves, in the page and in the
   }
 });
 
-test("shows the same texts in the documentation", async ({ page }) => {
-  await page.goto("/");
-  const { origin, pathname, hash } = new URL(await copyAddress(page));
+async function connectsByUrl(page: Page, address: string): Promise<void> {
+  const panel = connect(page);
+  const url = await panel.copy("Any rosbridge tool");
+  expect(url).toMatch(/^ws:\/\/\S+\/ros\/url_[\w-]+$/);
+  await expect(panel.text).toHaveValue(/\/ros\/•••• •••• \S{4}$/);
+  await expect(panel.mark).toBeHidden();
+  await callRos(url);
+  await expect(panel.mark).toBeVisible();
+  await page.reload();
+  await expect(panel.kind).toBeVisible();
+  expect(await panel.copy("Any rosbridge tool ✓")).toBe(url);
+  await openMoreSection(page);
+  const keys = page.getByRole("region", { name: "Keys" }).getByRole("listitem");
+  const urlKey = keys.filter({ hasText: "in a URL" });
+  await expect(urlKey).toHaveCount(1);
+  await urlKey.getByRole("button", { name: "Revoke" }).click();
+  await expect(urlKey).toHaveCount(0);
+  const next = await panel.copy("Any rosbridge tool ✓");
+  expect(next).not.toBe(url);
+  await callRos(next);
+  expect((await api(address, "/sensors")).status).toBe(200);
+}
+
+async function marksFirstMessages(page: Page, address: string): Promise<void> {
+  const panel = connect(page);
+  const settings = JSON.parse(await panel.copy("VS Code (MCP)")) as {
+    servers: { corridor: { url: string; headers: Record<string, string> } };
+  };
+  await expect(panel.mark).toBeHidden();
+  const { url, headers } = settings.servers.corridor;
+  const agent = new Client({ name: "agent", version: "1.0.0" });
+  await agent.connect(
+    new StreamableHTTPClientTransport(new URL(url), { requestInit: { headers } }),
+  );
+  await agent.callTool({ name: "sense", arguments: {} });
+  await agent.close();
+  await expect(panel.mark).toBeVisible();
+  await panel.kind.selectOption("curl");
+  await expect(panel.mark).toBeHidden();
+  await api(address, "/sensors");
+  await panel.kind.selectOption("javascript");
+  await expect(panel.mark).toBeVisible();
+}
+
+async function showsTextsOfDocumentation(page: Page, address: string): Promise<void> {
+  const { origin, pathname, hash } = new URL(address);
   const panel = connect(page);
   await expect(panel.kind.getByRole("option")).toHaveCount(19);
   const names = await panel.kind.getByRole("option").allTextContents();
@@ -131,4 +127,14 @@ test("shows the same texts in the documentation", async ({ page }) => {
       .replaceAll("url_KEY", urlKey)
       .replaceAll(/\bKEY\b/g, key);
   expect(blocks.map(own)).toEqual(copied);
+}
+
+test("connects tools of several kinds with the robot of one page", async ({ page }) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await test.step("marks each kind at its first message", () => marksFirstMessages(page, address));
+  await test.step("a tool that has only the URL connects, by one key that a reload keeps, until it is revoked", () =>
+    connectsByUrl(page, address));
+  await test.step("shows the same texts in the documentation", () =>
+    showsTextsOfDocumentation(page, address));
 });
