@@ -4,6 +4,7 @@
  */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { StageScreenshot } from "./pages/stage-screenshot.ts";
 import { axeViolations, onlyRule } from "./support/axe.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
@@ -15,10 +16,8 @@ async function lowContrastTexts(page: Page): Promise<string[]> {
   return violations.flatMap(({ nodes }) => nodes.map(({ target }) => target.join(" ")));
 }
 
-test("shows every text at 7:1 in both themes when the system requests more contrast", async ({
-  corridor,
-  page,
-}) => {
+async function showsHighContrast(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const expectHighContrast = async (state: string): Promise<void> => {
     for (const colorScheme of ["light", "dark"] as const) {
       await page.emulateMedia({ contrast: "more", colorScheme, reducedMotion: "reduce" });
@@ -33,9 +32,10 @@ test("shows every text at 7:1 in both themes when the system requests more contr
   await corridor.share.click();
   await expect(corridor.dialog("Share this maze")).toBeVisible();
   await expectHighContrast("share");
-});
+}
 
-test("stores the choice of high contrast across a reload", async ({ corridor, page }) => {
+async function storesHighContrast(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const html = page.locator("html");
   await expect(html).toHaveAttribute("data-contrast", "normal");
   await page.getByRole("button", { name: "Theme", exact: true }).click();
@@ -43,12 +43,10 @@ test("stores the choice of high contrast across a reload", async ({ corridor, pa
   await expect(html).toHaveAttribute("data-contrast", "more");
   await corridor.reload();
   await expect(html).toHaveAttribute("data-contrast", "more");
-});
+}
 
-test("shows filled buttons, the selected driver and the edge of a dialog in forced colours", async ({
-  corridor,
-  page,
-}) => {
+async function showsFilledButtons(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.emulateMedia({ forcedColors: "active" });
   const colours = (element: Element): { text: string; background: string } => {
     const style = getComputedStyle(element);
@@ -65,12 +63,11 @@ test("shows filled buttons, the selected driver and the edge of a dialog in forc
   );
   await corridor.share.click();
   await expect(corridor.dialog("Share this maze")).toHaveCSS("border-top-style", "solid");
-});
+  await page.keyboard.press("Escape");
+}
 
-test("shows the number of the sensor that touches a wall in forced colours", async ({
-  corridor,
-  page,
-}) => {
+async function showsTouchingSensor(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.emulateMedia({ forcedColors: "active" });
   await corridor.program.action(2).selectOption("delayed left 90");
   await corridor.speed.selectOption("max");
@@ -85,16 +82,42 @@ test("shows the number of the sensor that touches a wall in forced colours", asy
   expect(text).not.toBe(background);
   // Otherwise the browser paints its own background, which has the colour of the number.
   await expect(reading).toHaveCSS("forced-color-adjust", "none");
-});
+}
 
-test("paints the maze on a dark background where the forced colours are dark", async ({
-  corridor,
-  page,
-}) => {
+async function paintsDarkMaze(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.maze.grid.waitFor();
   const stage = new StageScreenshot(page);
   await page.emulateMedia({ forcedColors: "active", colorScheme: "light" });
   const light = await stage.capture();
   await page.emulateMedia({ forcedColors: "active", colorScheme: "dark" });
   await stage.expectDifferent(light);
+}
+
+test("has high contrast when requested, and works in forced colours", async ({
+  corridor,
+  page,
+}) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await page.emulateMedia({ forcedColors: null, colorScheme: null });
+    });
+  await step(
+    "paints the maze on a dark background where the forced colours are dark",
+    paintsDarkMaze,
+  );
+  await step(
+    "shows the number of the sensor that touches a wall in forced colours",
+    showsTouchingSensor,
+  );
+  await step(
+    "shows filled buttons, the selected driver and the edge of a dialog in forced colours",
+    showsFilledButtons,
+  );
+  await step("stores the choice of high contrast across a reload", storesHighContrast);
+  await step(
+    "shows every text at 7:1 in both themes when the system requests more contrast",
+    showsHighContrast,
+  );
 });
