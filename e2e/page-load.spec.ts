@@ -7,28 +7,43 @@ import { generateTree } from "@corridor/maze";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
-for (const { problem, file, status } of [
+test.use(smallWindow);
+
+const failures = [
   { problem: "the texts do not load", file: "**/assets/words-en-*.json", status: 404 },
   { problem: "the texts are truncated", file: "**/assets/words-en-*.json", status: 200 },
   { problem: "the page's script does not load", file: "**/assets/index-*.js", status: 404 },
-]) {
-  test(`reports in plain English that ${problem}, and tries again`, async ({ browser, relay }) => {
-    // Not an openWindow fixture: the browser logs an error for the missing file, as expected.
-    const context = await browser.newContext({ baseURL: relay, serviceWorkers: "block" });
-    const page = await context.newPage();
-    await page.route(file, (route) => route.fulfill({ status, body: '{"cut' }));
-    await page.goto("/?lang=de#a-link");
-    const alert = page.getByRole("alert");
-    await expect(alert).toContainText("Corridor did not load");
-    await expect(page).toHaveURL(/\?lang=de#a-link$/);
-    await page.unroute(file);
-    await alert.getByRole("button", { name: "Try again" }).click();
-    await expect(page.getByRole("grid")).toBeVisible();
-    await expect(page.locator("html")).toHaveAttribute("lang", "de");
-    await context.close();
+];
+
+test("reports in plain English that a part did not load, and tries again", async ({
+  browser,
+  relay,
+}) => {
+  // Not an openWindow fixture: the browser logs an error for the missing file, as expected.
+  const context = await browser.newContext({
+    ...smallWindow,
+    baseURL: relay,
+    serviceWorkers: "block",
   });
-}
+  const page = await context.newPage();
+  for (const { problem, file, status } of failures) {
+    await test.step(problem, async () => {
+      await page.goto("about:blank");
+      await page.route(file, (route) => route.fulfill({ status, body: '{"cut' }));
+      await page.goto("/?lang=de#a-link");
+      const alert = page.getByRole("alert");
+      await expect(alert).toContainText("Corridor did not load");
+      await expect(page).toHaveURL(/\?lang=de#a-link$/);
+      await page.unroute(file);
+      await alert.getByRole("button", { name: "Try again" }).click();
+      await expect(page.getByRole("grid")).toBeVisible();
+      await expect(page.locator("html")).toHaveAttribute("lang", "de");
+    });
+  }
+  await context.close();
+});
 
 test("lays out the shell right-to-left from the first paint on a first visit in Arabic", async ({
   openWindow,
@@ -82,11 +97,7 @@ const shared = encodeLink({
   maze: generateTree({ columns: 9, rows: 9, seed: 5, name: "From my teacher" }),
 });
 
-test("does not display the user's own project before that of a link", async ({ openWindow }) => {
-  if (!shared.ok) throw new Error(shared.code);
-  const corridor = await openWindow({ serviceWorkers: "block" });
-  await corridor.open();
-  await createOwnProject(corridor);
+async function waitsForLink(corridor: CorridorPage, link: string): Promise<void> {
   const { page } = corridor;
   let release = (): void => undefined;
   const released = new Promise<void>((resolve) => (release = resolve));
@@ -94,7 +105,7 @@ test("does not display the user's own project before that of a link", async ({ o
     await released;
     await route.continue();
   });
-  await page.goto(`/#${shared.text}`);
+  await page.goto(`/#${link}`);
   await expect(page.getByText("Opening", { exact: true })).toBeVisible();
   await expect(page.getByRole("grid")).toHaveCount(0);
   release();
@@ -104,19 +115,23 @@ test("does not display the user's own project before that of a link", async ({ o
   // The link contains no program, so the user's program stays.
   await expect(corridor.program.name).toHaveValue("Mine alone");
   expect(await hasDisplayedOwn(page)).toBe(false);
-});
+}
 
-test("displays the user's own project after reporting that a link is incomplete", async ({
-  openWindow,
-}) => {
-  if (!shared.ok) throw new Error(shared.code);
-  const corridor = await openWindow({ serviceWorkers: "block" });
-  await corridor.open();
-  await createOwnProject(corridor);
-  const { page } = corridor;
-  await page.goto(`/#${shared.text.slice(0, -4)}`);
+async function reportsIncompleteLink(corridor: CorridorPage, link: string): Promise<void> {
+  await corridor.page.goto(`/#${link.slice(0, -4)}`);
   await expect(corridor.message("A part of this link is missing.")).toBeVisible();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
+}
+
+test("displays the user's own project only where no link replaces it", async ({ corridor }) => {
+  if (!shared.ok) throw new Error(shared.code);
+  const { text } = shared;
+  await createOwnProject(corridor);
+  await test.step("displays the user's own project after reporting that a link is incomplete", () =>
+    reportsIncompleteLink(corridor, text));
+  await corridor.page.goto("about:blank");
+  await test.step("does not display the user's own project before that of a link", () =>
+    waitsForLink(corridor, text));
 });
 
 test("the licenses of the packages in the page, its worker and its font are served", async ({
