@@ -1,8 +1,12 @@
 /** Scripts put the robot in the page back to its start. */
 import type { CommandRecord, Snapshot } from "@corridor/protocol";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { commandRow, openMoreSection } from "./support/remote-panel.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 const RESET = { action: "reset" };
 const MOVE = { action: "move", distance: 60 };
@@ -15,12 +19,8 @@ async function newest(address: string): Promise<Snapshot> {
   return (await api(address, "/sensors")).json();
 }
 
-test("a script drives, resets the robot during a motion, and drives again", async ({
-  corridor,
-  page,
-}) => {
-  await setSpeed(page, "4");
-  const address = await copyAddress(page);
+async function drivesAgainAfterReset(corridor: CorridorPage, address: string): Promise<void> {
+  const { page } = corridor;
   const start = (await newest(address)).pose;
   await api(address, "/commands", MOVE);
   const first = await end(address, 1);
@@ -41,11 +41,9 @@ test("a script drives, resets the robot during a motion, and drives again", asyn
   await api(address, "/commands", MOVE);
   expect(await end(address, 5)).toMatchObject({ state: "completed", pose: first.pose });
   await expect(corridor.timeline.command("5")).toHaveAttribute("data-result", "done");
-});
+}
 
-test("the owner forbids resets and allows them again", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
+async function forbidsResets({ page }: CorridorPage, address: string): Promise<void> {
   await openMoreSection(page);
   const permission = page.getByRole("checkbox", { name: "Scripts may reset the robot" });
   await expect(permission).toBeChecked();
@@ -61,13 +59,9 @@ test("the owner forbids resets and allows them again", async ({ page }) => {
   await permission.click();
   await expect(permission).toBeChecked();
   expect((await api(address, "/commands", RESET)).status).toBe(202);
-});
+}
 
-test("a reset while a program drives is cancelled, and no reset touches the program or its undo", async ({
-  corridor,
-  page,
-}) => {
-  const address = await copyAddress(page);
+async function leavesProgramAlone(corridor: CorridorPage, address: string): Promise<void> {
   await corridor.selectDriver("Program");
   const { program } = corridor;
   const { lines } = program;
@@ -77,15 +71,27 @@ test("a reset while a program drives is cancelled, and no reset touches the prog
   await corridor.run.click();
   await expect.poll(async () => (await newest(address)).tick).toBeGreaterThan(30);
   const { tick } = await newest(address);
-  await api(address, "/commands", RESET);
-  expect((await end(address, 1)).state).toBe("cancelled");
+  const { seq } = await (await api(address, "/commands", RESET)).json();
+  expect((await end(address, seq)).state).toBe("cancelled");
   expect((await newest(address)).tick).toBeGreaterThanOrEqual(tick);
 
   await corridor.selectDriver("Remote");
   await expect.poll(async () => (await api(address, "/commands", RESET)).status).toBe(202);
-  expect((await end(address, 2)).state).toBe("completed");
+  expect((await end(address, seq + 1)).state).toBe("completed");
   await corridor.selectDriver("Program");
   await expect(lines).toHaveCount(before + 1);
   await program.button("Undo").click();
   await expect(lines).toHaveCount(before);
+}
+
+test("scripts reset the robot, where the owner allows it", async ({ corridor, page }) => {
+  await setSpeed(page, "4");
+  const address = await copyAddress(page);
+  await test.step("a script drives, resets the robot during a motion, and drives again", () =>
+    drivesAgainAfterReset(corridor, address));
+  await test.step("a reset while a program drives is cancelled, and no reset touches the program or its undo", () =>
+    leavesProgramAlone(corridor, address));
+  await corridor.selectDriver("Remote");
+  await test.step("the owner forbids resets and allows them again", () =>
+    forbidsResets(corridor, address));
 });
