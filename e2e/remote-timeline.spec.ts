@@ -1,17 +1,17 @@
 /** The timeline and the clock of a run that a script drives. */
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 /** turns on the spot for four seconds */
 const spin = { action: "drive", left: 0.2, right: -0.2, milliseconds: 4000 };
 
-test("numbers the commands of a script with their results, and displays a selected command", async ({
-  corridor,
-  page,
-}) => {
+async function numbersCommands(corridor: CorridorPage, address: string): Promise<void> {
+  const { page } = corridor;
   const { timeline } = corridor;
-  await setSpeed(page, "4");
-  const address = await copyAddress(page);
   for (const command of [spin, spin, { action: "move", distance: 5000 }]) {
     await api(address, "/commands", command);
   }
@@ -28,37 +28,52 @@ test("numbers the commands of a script with their results, and displays a select
   await timeline.slider.press("ArrowLeft");
   await timeline.slider.press("ArrowLeft");
   await timeline.expectValueText(/command 1: drive 0\.2 -0\.2 4000 ms, completed$/);
-});
+}
 
-test("counts a script's driving and waiting time separately", async ({ corridor, page }) => {
-  await setSpeed(page, "4");
-  const address = await copyAddress(page);
+async function countsWaitingSeparately(corridor: CorridorPage, address: string): Promise<void> {
   await expect(corridor.drivingTime).toHaveText("Time 0:00.0 driving");
   await expect(corridor.waitingTime).not.toHaveText(/^0:00/);
-  await api(address, "/commands", { action: "right 90" });
-  await api(address, "/commands/1?wait=20");
+  const { seq } = await (await api(address, "/commands", { action: "right 90" })).json();
+  await api(address, `/commands/${seq}?wait=20`);
   await expect(corridor.drivingTime).toHaveText(/^Time 0:00\.[1-9]/);
   const driven = (await corridor.drivingTime.textContent()) ?? "";
   const waited = (await corridor.waitingTime.textContent()) ?? "";
   await expect(corridor.waitingTime).not.toHaveText(waited);
   await expect(corridor.drivingTime).toHaveText(driven);
-});
+}
 
-test("gives the time of a script's bump in driving seconds of the clock", async ({
-  corridor,
-  page,
-}) => {
-  const address = await copyAddress(page);
+async function givesTimeOfBump(corridor: CorridorPage, address: string): Promise<void> {
+  const { page } = corridor;
   await expect(corridor.waitingTime).not.toHaveText(/^0:0[01]/);
-  await api(address, "/commands", { action: "move", distance: 5000 });
+  const { seq } = await (
+    await api(address, "/commands", { action: "move", distance: 5000 })
+  ).json();
   const card = page.getByRole("region", { name: "Bump" });
   await expect(card).toContainText(/Bump at \d/);
   const seconds = /Bump at (\d+\.\d) s/.exec((await card.textContent()) ?? "")?.[1];
   await expect(corridor.drivingTime).toHaveText(`Time 0:0${seconds} driving`);
   // The timeline counts as the card and the clock do, and the list marks nothing while now is shown.
   await expect(page.locator("tr[aria-current]")).toHaveCount(0);
-  await page.locator('[data-command="1"]').waitFor();
+  await corridor.timeline.command(seq).waitFor();
   await corridor.timeline.slider.press("ArrowLeft");
   await corridor.timeline.slider.press("ArrowRight");
   await corridor.timeline.expectValueText(/^\d\.\d s driving, \d+\.\d s waiting, /);
+}
+
+test("shows a run that a script drives on the timeline and the clock", async ({
+  corridor,
+  page,
+}) => {
+  await setSpeed(page, "4");
+  const address = await copyAddress(page);
+  await test.step("numbers the commands of a script with their results, and displays a selected command", () =>
+    numbersCommands(corridor, address));
+  await corridor.timeline.backToNow.click();
+  await corridor.reset.click();
+  await test.step("counts a script's driving and waiting time separately", () =>
+    countsWaitingSeparately(corridor, address));
+  await corridor.reset.click();
+  await setSpeed(page, "1");
+  await test.step("gives the time of a script's bump in driving seconds of the clock", () =>
+    givesTimeOfBump(corridor, address));
 });
