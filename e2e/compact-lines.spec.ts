@@ -7,8 +7,11 @@ import { mazePresets } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
+import { chooseLanguage } from "./support/choose-language.ts";
 import { phone } from "./support/phone.ts";
 import { Texts } from "./support/texts.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 /**
  * The first line turns with a delay, the second on the spot, and "otherwise" drives. All kinds of
@@ -23,7 +26,7 @@ const rules: ProgramDocument["rules"] = [
   { when: { sensor: "left", is: ">", than: "right", plus: 300 }, do: "forward" },
 ];
 
-function addressOf(count: number, lang: string): string {
+function linkOf(count: number): string {
   const maze = mazePresets.find(({ id }) => id === "long-way-round")?.maze;
   if (maze === undefined) throw new Error("the preset is missing");
   const link = encodeLink({
@@ -31,13 +34,13 @@ function addressOf(count: number, lang: string): string {
     program: {
       format: "corridor/program",
       version: 1,
-      name: "Many lines",
+      name: `${count} lines`,
       default: "forward",
       rules: rules.slice(0, count),
     },
   });
   if (!link.ok) throw new Error(link.code);
-  return `/?lang=${lang}#${link.text}`;
+  return link.text;
 }
 
 /**
@@ -66,56 +69,75 @@ async function linesOn(page: Page) {
   });
 }
 
-for (const lang of ["en", "de"]) {
-  for (const [width, height, count, isPhone] of [
-    [1440, 900, 6, false],
-    [1024, 768, 4, false],
-    [390, 844, 3, true],
-  ] as const) {
-    test(`shows ${count} lines of a running program at ${width} x ${height}, and moves none, in ${lang}`, async ({
-      openWindow,
-    }) => {
-      const device = isPhone ? phone : {};
-      const { page } = await openWindow({ ...device, viewport: { width, height } });
-      const texts = Texts.load(lang);
-      await page.goto(addressOf(count, lang));
-      const button = (path: string) =>
-        page.getByRole("button", { name: texts.t(path), exact: true });
-      await expect(page.locator("[id^='program-line-'] [data-is='false']").first()).toBeVisible();
-      await page.evaluate(() => document.fonts.ready);
-      const before = await linesOn(page);
-      expect(before.positions).toHaveLength(count);
-      expect(before.visible).toBe(count);
-      await button("shell.run.run").click();
-      // Several lines drive one after the other, each with its progress.
-      const seen = new Set<string>();
-      await expect
-        .poll(
-          async () => {
-            const { positions, visible } = await linesOn(page);
-            expect(positions).toEqual(before.positions);
-            expect(visible).toBe(count);
-            const running = page.locator("[id^='program-line-'][aria-current]");
-            for (const id of await running.evaluateAll((all) => all.map((each) => each.id))) {
-              seen.add(id);
-            }
-            return seen.size;
-          },
-          { intervals: [100] },
-        )
-        .toBeGreaterThanOrEqual(2);
-      await button("shell.run.pause").click();
-      expect((await linesOn(page)).positions).toEqual(before.positions);
-    });
-  }
+/** Opens a program of the given number of lines in the open page, with the robot at its start. */
+async function openLines(page: Page, count: number): Promise<void> {
+  await page.evaluate((hash) => (location.hash = hash), linkOf(count));
+  await expect(page.locator(`input[value="${count} lines"]`)).toBeAttached();
+  await expect(page.locator("[id^='program-line-']")).toHaveCount(count);
+  await expect(page.getByText(/ 0:00[.,]0$/)).toBeAttached();
 }
 
-test("moves no line at a bump, and shows the readings in one row while a long program drives", async ({
-  openWindow,
-}) => {
-  const corridor = await openWindow({ viewport: { width: 1440, height: 900 } });
+/** How many lines are visible at a size, with two of them driving one after the other. */
+interface Screen {
+  width: number;
+  height: number;
+  count: number;
+}
+
+async function showsRunningLines(page: Page, screen: Screen, lang: string): Promise<void> {
+  const { width, height, count } = screen;
+  const texts = Texts.load(lang);
+  const button = (path: string) => page.getByRole("button", { name: texts.t(path), exact: true });
+  await page.setViewportSize({ width, height });
+  await openLines(page, count);
+  await expect(page.locator("[id^='program-line-'] [data-is='false']").first()).toBeVisible();
+  await page.evaluate(() => document.fonts.ready);
+  await waitForAnimations(page);
+  const before = await linesOn(page);
+  expect(before.visible).toBe(count);
+  await button("shell.run.run").click();
+  // Several lines drive one after the other, each with its progress.
+  const seen = new Set<string>();
+  await expect
+    .poll(
+      async () => {
+        const { positions, visible } = await linesOn(page);
+        expect(positions).toEqual(before.positions);
+        expect(visible).toBe(count);
+        const running = page.locator("[id^='program-line-'][aria-current]");
+        for (const id of await running.evaluateAll((all) => all.map((each) => each.id))) {
+          seen.add(id);
+        }
+        return seen.size;
+      },
+      { intervals: [100] },
+    )
+    .toBeGreaterThanOrEqual(2);
+  await button("shell.run.pause").click();
+  expect((await linesOn(page)).positions).toEqual(before.positions);
+}
+
+/** Shows lines on each screen in English and in German, and ends in English. */
+async function showsRunningLinesInBothLanguages(corridor: CorridorPage, screens: Screen[]) {
   const { page } = corridor;
-  await page.goto(addressOf(6, "en"));
+  // Not the first visit, whose invitation takes space until a run.
+  await corridor.open(`/#${linkOf(screens[0]?.count ?? 0)}`);
+  const [english, german] = [Texts.load("en"), Texts.load("de")];
+  for (const lang of ["en", "de"]) {
+    if (lang === "de") await chooseLanguage(page, english, "de");
+    for (const screen of screens) {
+      const { width, height, count } = screen;
+      await test.step(`${count} lines at ${width} x ${height}, in ${lang}`, () =>
+        showsRunningLines(page, screen, lang));
+    }
+  }
+  await chooseLanguage(page, german, "en");
+}
+
+async function movesNoLineAtBump(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openLines(page, 6);
   // A line that turns late in front of a wall runs out of space, and gets advice before the run.
   const action = page.getByRole("combobox", { name: "Line 2, action" });
   await action.selectOption("delayed left 90");
@@ -130,4 +152,23 @@ test("moves no line at a bump, and shows the readings in one row while a long pr
   // The drive keys are displayed again when the user drives.
   await corridor.selectDriver("Me");
   await expect(page.getByRole("group", { name: "Hold to drive" })).toBeInViewport({ ratio: 1 });
+}
+
+test("shows the lines of a running program, and moves none, in English and German", async ({
+  page,
+}) => {
+  const corridor = new CorridorPage(page);
+  await showsRunningLinesInBothLanguages(corridor, [
+    { width: 1440, height: 900, count: 6 },
+    { width: 1024, height: 768, count: 4 },
+  ]);
+  await test.step("moves no line at a bump, and shows the readings in one row while a long program drives", () =>
+    movesNoLineAtBump(corridor));
+});
+
+test("shows 3 lines of a running program on a phone, and moves none, in English and German", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(phone);
+  await showsRunningLinesInBothLanguages(corridor, [{ ...phone.viewport, count: 3 }]);
 });
