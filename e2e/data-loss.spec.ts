@@ -14,11 +14,29 @@ function projectsOf({ page }: CorridorPage): Promise<string[]> {
   );
 }
 
-test("keeps an edit that was typed just now, made during a run, or right before the tab is closed", async ({
-  corridor,
-  context,
-  page,
-}) => {
+async function keepsDamagedEntry(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  await corridor.program.name.fill("Before the damage");
+  await expect(corridor.saveState).toHaveText("Saved on this device");
+  const damaged = await page.evaluate(() => {
+    const key = Object.keys(localStorage).find((each) => each.startsWith("corridor.work."));
+    if (key === undefined) throw new Error("nothing is saved");
+    const text = (localStorage.getItem(key) ?? "").slice(0, -20);
+    localStorage.setItem(key, text);
+    return text;
+  });
+  await corridor.program.name.fill("After the damage");
+  await expect.poll(async () => (await projectsOf(corridor)).join()).toContain("After the damage");
+  const stored = await page.evaluate(() => Object.values(localStorage).map(String));
+  expect(stored).toContain(damaged);
+  await corridor.reload();
+  await expect(corridor.program.name).toHaveValue("After the damage");
+}
+
+/** @returns the page of another tab, which the user has now */
+async function keepsLatestEdits(corridor: CorridorPage): Promise<CorridorPage> {
+  const { page } = corridor;
+  const context = page.context();
   await test.step("an edit is stored within 300 ms without any action", async () => {
     await corridor.program.name.selectText();
     const steps = await page.evaluate(async () => {
@@ -57,15 +75,18 @@ test("keeps an edit that was typed just now, made during a run, or right before 
     await next.maze.expectSquare({ column: 10, row: 6 }, "block");
     await expect(next.program.number(1)).toHaveValue("75");
   });
-});
+  return next;
+}
 
-test("returns to the user's own maze and edits after opening links", async ({ corridor, page }) => {
+async function returnsAfterLinks(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await test.step("a link that opens before an edit is saved", async () => {
+    const shared = await corridor.program.name.inputValue();
     const link = await corridor.shareLink({ withProgram: true });
     await corridor.program.name.fill("Mine, and not saved yet");
     // Immediately, before autosave runs.
     await page.evaluate((address) => (location.hash = new URL(address).hash), link);
-    await expect(corridor.program.name).toHaveValue("Example: right wall");
+    await expect(corridor.program.name).toHaveValue(shared);
     await expect(corridor.message("Your own maze and program are saved.")).toBeVisible();
     await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
     await expect(corridor.program.name).toHaveValue("Mine, and not saved yet");
@@ -99,27 +120,16 @@ test("returns to the user's own maze and edits after opening links", async ({ co
     await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
     await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
   });
-});
+}
 
-test("keeps both entries when one tab edits a project that another tab damaged", async ({
-  corridor,
-  page,
-}) => {
-  await corridor.program.name.fill("Before the damage");
-  await expect(corridor.saveState).toHaveText("Saved on this device");
-  const damaged = await page.evaluate(() => {
-    const key = Object.keys(localStorage).find((each) => each.startsWith("corridor.work."));
-    if (key === undefined) throw new Error("nothing is saved");
-    const text = (localStorage.getItem(key) ?? "").slice(0, -20);
-    localStorage.setItem(key, text);
-    return text;
-  });
-  await corridor.program.name.fill("After the damage");
-  await expect.poll(async () => (await projectsOf(corridor)).join()).toContain("After the damage");
-  const stored = await page.evaluate(() => Object.values(localStorage).map(String));
-  expect(stored).toContain(damaged);
-  await corridor.reload();
-  await expect(corridor.program.name).toHaveValue("After the damage");
+test("keeps edits whatever happens to the page", async ({ corridor }) => {
+  await test.step("keeps both entries when one tab edits a project that another tab damaged", () =>
+    keepsDamagedEntry(corridor));
+  const next =
+    await test.step("keeps an edit that was typed just now, made during a run, or right before the tab is closed", () =>
+      keepsLatestEdits(corridor));
+  await test.step("returns to the user's own maze and edits after opening links", () =>
+    returnsAfterLinks(next));
 });
 
 test("reports that a part did not load, while the rest works, and loads it with Try again", async ({
