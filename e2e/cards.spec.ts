@@ -11,6 +11,7 @@ import { expectNoAxeViolations } from "./support/axe.ts";
 
 // Cards have the same texts and places without motion, and no frame of an animation is drawn.
 test.use({ contextOptions: { reducedMotion: "reduce" } });
+test.use({ viewport: { width: 1024, height: 768 } });
 
 /**
  * Line 2 turns too late: it continues towards the wall that it detected. At any speed it bumps in
@@ -30,7 +31,21 @@ async function holdMessage(corridor: CorridorPage): Promise<void> {
   await corridor.messages.getByRole("button", { name: "Dismiss" }).focus();
 }
 
-test("explains why line 2 bumped, applies the fix and passes the place", async ({ corridor }) => {
+async function leavesDriveKeysUncovered(corridor: CorridorPage): Promise<void> {
+  await corridor.speed.selectOption("max");
+  await corridor.transport.getByRole("button", { name: "Write my own" }).click();
+  await expect(corridor.program.button("Add line")).toBeFocused();
+  await holdMessage(corridor);
+  await corridor.page.keyboard.press("Control+Enter");
+  await expect(corridor.page.getByRole("region", { name: "Bump" })).toBeVisible();
+  await expect(corridor.message(/^Your program is empty now\./)).toBeVisible();
+  for (const key of ["forward", "left", "stop", "right", "reverse"]) {
+    await corridor.driveKey(key).click({ trial: true });
+  }
+  await expect(corridor.message(/^Your program is empty now\./)).toBeVisible();
+}
+
+async function explainsAndFixes(corridor: CorridorPage): Promise<void> {
   const { program } = corridor;
   const card = await bump(corridor);
   await expect(card).toContainText(
@@ -54,61 +69,9 @@ test("explains why line 2 bumped, applies the fix and passes the place", async (
   await expect(corridor.page.getByRole("region", { name: "Solved!" })).toBeVisible();
   await expect(corridor.bumps).toHaveText("0 bumps");
   await expect(corridor.messages).not.toContainText("Fixed");
-});
+}
 
-test("reports that a turn came too early, though another line met the wall", async ({
-  corridor,
-}) => {
-  const link = encodeLink({
-    maze: {
-      format: "corridor/maze",
-      version: 1,
-      name: "Side way",
-      blocks: ["#####", ".....", ...Array.from({ length: 8 }, () => "##.##")],
-      start: { column: 0, row: 1, heading: "east" },
-      goals: [],
-    },
-    program: {
-      format: "corridor/program",
-      version: 1,
-      name: "Too early",
-      default: "forward",
-      rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "right 90" }],
-    },
-  });
-  await corridor.open(`/#${link.ok ? link.text : ""}`);
-  await expect(corridor.mazeMenu).toHaveAccessibleName("Side way, Maze menu");
-  await corridor.speed.selectOption("max");
-  await corridor.run.click();
-  const card = corridor.bumpCard(1);
-  await expect(card).toContainText(
-    /Line 1 chose “right 90” at \d+\.\d s, at the edge of the opening/,
-  );
-  // The mark in the list is on the same line.
-  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
-  await card.getByRole("button", { name: "Change to delayed right 90" }).click();
-  await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
-});
-
-test("leaves the drive keys uncovered by a message while a card is above the robot", async ({
-  openWindow,
-}) => {
-  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
-  await corridor.open();
-  await corridor.speed.selectOption("max");
-  await corridor.transport.getByRole("button", { name: "Write my own" }).click();
-  await expect(corridor.program.button("Add line")).toBeFocused();
-  await holdMessage(corridor);
-  await corridor.page.keyboard.press("Control+Enter");
-  await expect(corridor.page.getByRole("region", { name: "Bump" })).toBeVisible();
-  await expect(corridor.message(/^Your program is empty now\./)).toBeVisible();
-  for (const key of ["forward", "left", "stop", "right", "reverse"]) {
-    await corridor.driveKey(key).click({ trial: true });
-  }
-  await expect(corridor.message(/^Your program is empty now\./)).toBeVisible();
-});
-
-test("replays the bump, and shows its card again where it happened", async ({ corridor }) => {
+async function replaysTheBump(corridor: CorridorPage): Promise<void> {
   const card = await bump(corridor);
   const clock = await corridor.clock.textContent();
   await corridor.speed.selectOption("4×");
@@ -132,11 +95,9 @@ test("replays the bump, and shows its card again where it happened", async ({ co
   await expect(corridor.pause).toBeVisible();
   await expect(corridor.clock).toHaveText(/0:0[5-9]|0:[1-5]|[1-9]:/);
   await expect(corridor.pause).toBeVisible();
-});
+}
 
-test("offers to run from the start after a line was fixed by hand, shows the figures of the solution, and opens the next maze", async ({
-  corridor,
-}) => {
+async function showsTheSolution(corridor: CorridorPage): Promise<void> {
   const card = await bump(corridor);
   const again = card.getByRole("button", { name: "Run from the start" });
   await expect(again).toHaveCount(0);
@@ -152,11 +113,9 @@ test("offers to run from the start after a line was fixed by hand, shows the fig
   await nextMaze.click();
   await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
   await expect(solved).toBeHidden();
-});
+}
 
-test("reports that the robot only pushes against a wall, or drives in circles, and names no line where two must change", async ({
-  corridor,
-}) => {
+async function reportsPushingAndCircles(corridor: CorridorPage): Promise<void> {
   await corridor.program.deleteAllLines();
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -173,6 +132,72 @@ test("reports that the robot only pushes against a wall, or drives in circles, a
     corridor.message(/^The robot passed here 3 times in the same direction\.$/),
   ).toBeVisible();
   await expect(corridor.messages.getByRole("button", { name: /^Show line/ })).toHaveCount(0);
+}
+
+async function reportsTurnTooEarly(corridor: CorridorPage): Promise<void> {
+  const link = encodeLink({
+    maze: {
+      format: "corridor/maze",
+      version: 1,
+      name: "Side way",
+      blocks: ["#####", ".....", ...Array.from({ length: 8 }, () => "##.##")],
+      start: { column: 0, row: 1, heading: "east" },
+      goals: [],
+    },
+    program: {
+      format: "corridor/program",
+      version: 1,
+      name: "Too early",
+      default: "forward",
+      rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "right 90" }],
+    },
+  });
+  await corridor.page.evaluate((hash) => (location.hash = hash), link.ok ? link.text : "");
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Side way, Maze menu");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  const card = corridor.bumpCard(1);
+  await expect(card).toContainText(
+    /Line 1 chose “right 90” at \d+\.\d s, at the edge of the opening/,
+  );
+  // The mark in the list is on the same line.
+  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
+  await card.getByRole("button", { name: "Change to delayed right 90" }).click();
+  await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
+}
+
+/** The robot is at its start with the first program, and no message covers a control. */
+async function startOver(corridor: CorridorPage): Promise<void> {
+  await corridor.reset.click();
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
+  await corridor.dismissMessages();
+}
+
+test("explains bumps, offers a fix and shows the solution", async ({ corridor }) => {
+  const { page, program } = corridor;
+  await test.step("leaves the drive keys uncovered by a message while a card is above the robot", async () => {
+    await leavesDriveKeysUncovered(corridor);
+    await startOver(corridor);
+    await program.button("Undo").click();
+    await expect(program.lines).toHaveCount(2);
+  });
+  await test.step("explains why line 2 bumped, applies the fix and passes the place", async () => {
+    await explainsAndFixes(corridor);
+    await startOver(corridor);
+  });
+  await test.step("replays the bump, and shows its card again where it happened", async () => {
+    await replaysTheBump(corridor);
+    await startOver(corridor);
+  });
+  await test.step("offers to run from the start after a line was fixed by hand, shows the figures of the solution, and opens the next maze", () =>
+    showsTheSolution(corridor));
+  await test.step("reports that the robot only pushes against a wall, or drives in circles, and names no line where two must change", async () => {
+    await corridor.choosePreset("Long way round");
+    await reportsPushingAndCircles(corridor);
+    await startOver(corridor);
+  });
+  await test.step("reports that a turn came too early, though another line met the wall", () =>
+    reportsTurnTooEarly(corridor));
 });
 
 /**
@@ -265,15 +290,11 @@ async function coveredByCards(
 }
 
 const screens = [
-  [
-    { width: 1440, height: 900 },
-    { width: 1024, height: 768 },
-  ],
-  [
-    { width: 844, height: 390 },
-    { width: 390, height: 844 },
-    { width: 320, height: 640 },
-  ],
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+  { width: 844, height: 390 },
+  { width: 390, height: 844 },
+  { width: 320, height: 640 },
 ];
 
 const mazeSize = { columns: 11, rows: 9 };
@@ -306,43 +327,32 @@ function linkTo({ start, block }: (typeof bumps)[number]): string {
   return link.text;
 }
 
-for (const sizes of screens) {
-  const names = sizes.map(({ width, height }) => `${width} x ${height}`).join(", ");
-  test(`covers neither the robot nor controls with cards and messages at ${names}`, async ({
-    openWindow,
-  }) => {
-    test.slow();
-    const corridor = await openWindow({ viewport: sizes[0] ?? null });
-    const { page } = corridor;
-    await corridor.open();
-    await corridor.speed.selectOption("max");
-    for (const [at, bump] of sizes.flatMap((size) => bumps.map((each) => [size, each] as const))) {
-      await page.setViewportSize(at);
-      await page.evaluate((hash) => (location.hash = hash), linkTo(bump));
-      await expect(corridor.program.lines).toHaveCount(0);
-      await expect(corridor.clock).toHaveText("Time 0:00.0");
-      await corridor.run.click();
-      const card = page.getByRole("region", { name: /^Bump/ });
-      await expect(card).toBeVisible();
-      await page.evaluate(() => navigator.clipboard.writeText("hello"));
-      await page.keyboard.press("ControlOrMeta+V");
-      await expect(corridor.message(/^The text you pasted/).first()).toBeVisible();
-      await waitForAnimations(page);
-      expect(await coveredByCards(corridor, bump), JSON.stringify([at, bump])).toEqual([]);
-      await expect(card.getByRole("heading")).toBeInViewport({ ratio: 1 });
-      await corridor.reset.click();
-      await corridor.dismissMessages();
-    }
-  });
+async function coverNeitherRobotNorControls(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
+  for (const [at, bump] of screens.flatMap((size) => bumps.map((each) => [size, each] as const))) {
+    await page.setViewportSize(at);
+    await page.evaluate((hash) => (location.hash = hash), linkTo(bump));
+    await expect(corridor.program.lines).toHaveCount(0);
+    await expect(corridor.clock).toHaveText("Time 0:00.0");
+    await corridor.dismissMessages();
+    await corridor.run.click();
+    const card = page.getByRole("region", { name: /^Bump/ });
+    await expect(card).toBeVisible();
+    await page.evaluate(() => navigator.clipboard.writeText("hello"));
+    await page.keyboard.press("ControlOrMeta+V");
+    await expect(corridor.message(/^The text you pasted/).first()).toBeVisible();
+    await waitForAnimations(page);
+    expect(await coveredByCards(corridor, bump), JSON.stringify([at, bump])).toEqual([]);
+    await expect(card.getByRole("heading")).toBeInViewport({ ratio: 1 });
+    await corridor.reset.click();
+    await corridor.dismissMessages();
+  }
 }
 
-test("shows two messages beside a card, and covers neither card nor transport at any size", async ({
-  corridor,
-  page,
-}) => {
-  test.slow();
+/** The messages cover neither the card nor the transport. */
+async function showTwoMessagesBesideCard(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.program.action(2).selectOption("delayed left 90");
-  await corridor.speed.selectOption("max");
   const card = corridor.bumpCard(2);
   for (const [width, height] of [
     [1440, 900],
@@ -370,4 +380,15 @@ test("shows two messages beside a card, and covers neither card nor transport at
     await corridor.reset.click();
     await corridor.dismissMessages();
   }
+}
+
+test("covers neither the robot nor controls with cards and messages at any size", async ({
+  corridor,
+}) => {
+  test.slow();
+  await corridor.speed.selectOption("max");
+  await test.step("two messages beside a card, and in the past", () =>
+    showTwoMessagesBesideCard(corridor));
+  await test.step("a card and a message, wherever the robot bumps", () =>
+    coverNeitherRobotNorControls(corridor));
 });
