@@ -11,6 +11,9 @@ import { SAMPLE } from "../packages/maze/src/contest/testing/sample-contest.ts";
 import { expect, test } from "./fixtures.ts";
 import type { ChosenFile, CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 function mazeOf(text: string): MazeDocument {
   const read = readTextMaze(text, "Final");
@@ -45,7 +48,8 @@ async function openSaveDialog(corridor: CorridorPage) {
 
 const marksOf = (page: Page) => page.locator("svg[data-marks] path");
 
-test("shows why a wall follower misses the goal, by keyboard", async ({ corridor, page }) => {
+async function showsWhyGoalIsMissed(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await open(corridor, "final.map", `${SAMPLE.replaceAll("\n", "\r\n")}\r\nFinal 2019\r\n`);
   await expect(corridor.mazeMenu).toHaveAccessibleName("final, Maze menu");
   const check = corridor.message("Contest maze, 6 × 6 cells.");
@@ -61,12 +65,10 @@ test("shows why a wall follower misses the goal, by keyboard", async ({ corridor
   await expectNoAxeViolations(page, "marks of a contest maze");
   await corridor.messages.getByRole("button", { name: "Hide the marks" }).click();
   await expect(marksOf(page)).toHaveCount(0);
-});
+}
 
-test("removes the marks with an edit, another maze, and a dismissed message", async ({
-  corridor,
-  page,
-}) => {
+async function removesMarks(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await open(corridor, "final.map", SAMPLE);
   await corridor.messages.getByRole("button", { name: "Show why" }).click();
   await expect(marksOf(page)).toHaveCount(3);
@@ -77,20 +79,18 @@ test("removes the marks with an edit, another maze, and a dismissed message", as
   await expect(marksOf(page)).toHaveCount(3);
   await corridor.choosePreset("Spiral");
   await expect(marksOf(page)).toHaveCount(0);
-});
+}
 
-test("names the rules that a maze breaks, and no path", async ({ corridor }) => {
+async function namesBrokenRules(corridor: CorridorPage): Promise<void> {
   await open(corridor, "cells.num", "0 0 0 1 1 1\n0 1 1 1 0 1\n1 0 1 1 1 1\n1 1 1 1 1 1\n");
   const check = corridor.message("Contest maze, 2 × 2 cells.");
   await expect(check).toContainText("no path leads to some cells (2)");
   await open(corridor, "walls.map", "o---o---o\n|   | G |\no   o---o\n| S |   |\no---o---o\n");
   await expect(corridor.message("No path leads to the goal.")).toBeVisible();
-});
+}
 
-test("opens a binary file by its content, and saves the maze in every format", async ({
-  corridor,
-  page,
-}) => {
+async function opensAndSavesFormats(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await open(corridor, "any-name.bin", contentOf(sixteen, "maz"));
   await expect(corridor.mazeMenu).toHaveAccessibleName("any-name, Maze menu");
   await expect(corridor.message("Contest maze, 16 × 16 cells.")).toBeVisible();
@@ -104,19 +104,18 @@ test("opens a binary file by its content, and saves the maze in every format", a
     expect(await readFile(await (await download).path())).toEqual(contentOf(sixteen, format));
     await expect(dialog).toBeHidden();
   }
-});
+}
 
-test("shows why a maze cannot be saved in a format", async ({ corridor }) => {
+async function cannotSave(corridor: CorridorPage): Promise<void> {
   const dialog = await openSaveDialog(corridor);
   await expect(dialog.getByRole("button", { name: "Save as .maz" })).toBeDisabled();
   await expect(dialog.getByRole("button", { name: "Save as .num" })).toHaveAccessibleDescription(
     /^(?:The start must|This is not a maze of posts|The goal must)/,
   );
-});
+  await corridor.page.keyboard.press("Escape");
+}
 
-test("reports what is wrong with broken contest files, and changes nothing", async ({
-  corridor,
-}) => {
+async function reportsBrokenFiles(corridor: CorridorPage): Promise<void> {
   for (const { name, content, problem } of [
     { name: "a.map", content: "o---o\n| S |", problem: "line 3Found: nothing" },
     { name: "b.map", content: "o---o---o\n| S   x |\no---o---o", problem: "line 2, column 7" },
@@ -132,6 +131,26 @@ test("reports what is wrong with broken contest files, and changes nothing", asy
     await expect(dialog).toBeHidden();
     await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   }
+}
+
+test("opens, checks and saves the maze files of contests", async ({ corridor }) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await corridor.dismissMessages();
+    });
+  await step("shows why a maze cannot be saved in a format", cannotSave);
+  await step(
+    "reports what is wrong with broken contest files, and changes nothing",
+    reportsBrokenFiles,
+  );
+  await step("names the rules that a maze breaks, and no path", namesBrokenRules);
+  await step("removes the marks with an edit, another maze, and a dismissed message", removesMarks);
+  await step("shows why a wall follower misses the goal, by keyboard", showsWhyGoalIsMissed);
+  await step(
+    "opens a binary file by its content, and saves the maze in every format",
+    opensAndSavesFormats,
+  );
 });
 
 test("shows the check and the marks on a phone", async ({ openWindow }) => {
