@@ -7,10 +7,8 @@ import { expect, test } from "./fixtures.ts";
 
 const square = { column: 2, row: 6 };
 
-test("restores maze and program after a reload, and lists all mazes in the menu", async ({
-  corridor,
-  page,
-}) => {
+async function restoresAfterReload(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.maze.click(square);
   await corridor.maze.tool("Goal").check();
   await corridor.maze.click({ column: 0, row: 0 });
@@ -46,12 +44,12 @@ test("restores maze and program after a reload, and lists all mazes in the menu"
   await corridor.messages.getByRole("button", { name: "Undo" }).click();
   await corridor.mazeMenu.click();
   await expect(menu.getByRole("button", { name: "Open New maze", exact: true })).toBeVisible();
-});
+}
 
-test("edits the same maze in two tabs and loses neither edit", async ({ corridor, context }) => {
+async function losesNoEditOfTwoTabs(corridor: CorridorPage): Promise<void> {
   await corridor.program.name.fill("In both tabs");
   await expect(corridor.saveState).toHaveText("Saved on this device");
-  const second = new CorridorPage(await context.newPage());
+  const second = new CorridorPage(await corridor.page.context().newPage());
   await second.open();
   await expect(second.program.name).toHaveValue("In both tabs");
   await second.program.name.fill("Second tab");
@@ -63,10 +61,9 @@ test("edits the same maze in two tabs and loses neither edit", async ({ corridor
   await expect(corridor.program.name).toHaveValue("First tab");
   await second.reload();
   await expect(second.program.name).toHaveValue("Second tab");
-});
+}
 
-test("shows that the device stores nothing, and remains usable", async ({ openWindow }) => {
-  const corridor = await openWindow();
+async function worksWithoutStorage(corridor: CorridorPage): Promise<void> {
   // Browsers behave like this when the user has turned storage off.
   await corridor.page.addInitScript(() => {
     for (const name of ["localStorage", "sessionStorage"]) {
@@ -86,6 +83,17 @@ test("shows that the device stores nothing, and remains usable", async ({ openWi
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(corridor.runNote).toContainText("Goal reached");
+}
+
+test("stores maze and program on the device, and reports where it is not allowed", async ({
+  corridor,
+}) => {
+  await test.step("restores maze and program after a reload, and lists all mazes in the menu", () =>
+    restoresAfterReload(corridor));
+  await test.step("edits the same maze in two tabs and loses neither edit", () =>
+    losesNoEditOfTwoTabs(corridor));
+  await test.step("shows that the device stores nothing, and remains usable", async () =>
+    worksWithoutStorage(new CorridorPage(await corridor.page.context().newPage())));
 });
 
 test("shows that the storage is full until there is space, and sets a damaged maze aside", async ({
