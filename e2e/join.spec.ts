@@ -14,15 +14,17 @@ function lettersOf(page: Page): Locator {
   return page.getByRole("textbox", { name: "Letters on the board" });
 }
 
+interface Visit {
+  page: Page;
+  relay: string;
+}
+
 async function join(page: Page, letters: string): Promise<void> {
   await lettersOf(page).fill(letters);
   await page.keyboard.press("Enter");
 }
 
-test("a student joins with small letters, and stays in the class after a reload", async ({
-  page,
-  relay,
-}) => {
+async function joinsAndReloads({ page, relay }: Visit): Promise<void> {
   const { code } = await ClassTeacher.start(relay);
   await page.goto("/join");
   await expect(lettersOf(page)).toBeFocused();
@@ -40,12 +42,9 @@ test("a student joins with small letters, and stays in the class after a reload"
   await expectNoAxeViolations(page, "joined");
   await page.getByRole("link", { name: "Start" }).click();
   await expect(page.getByRole("button", { name: "Run" })).toBeVisible();
-});
+}
 
-test("the code of an address is in the field, and is gone once the student has joined", async ({
-  page,
-  relay,
-}) => {
+async function joinsByAddress({ page, relay }: Visit): Promise<void> {
   const { code } = await ClassTeacher.start(relay, ["Team 4"]);
   await page.goto(`/join#${code}`);
   await expect(lettersOf(page)).toHaveValue(`${code.slice(0, 3)} ${code.slice(3)}`);
@@ -54,14 +53,9 @@ test("the code of an address is in the field, and is gone once the student has j
     page.getByRole("heading", { name: "Your name in this class is Team 4" }),
   ).toBeVisible();
   expect(new URL(page.url()).hash).toBe("");
-});
+}
 
-test("each refusal says what to do, and the letters stay in the field", async ({
-  page,
-  pageErrors,
-  relay,
-}) => {
-  pageErrors.ignoreFailedRequests();
+async function refusesWithAdvice({ page, relay }: Visit): Promise<void> {
   const teacher = await ClassTeacher.start(relay, ["Only one"]);
   await page.goto("/join");
   const alert = page.getByRole("alert");
@@ -86,9 +80,9 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   await teacher.direct("DELETE");
   await join(page, teacher.code);
   await expect(alert).toHaveText("No class has these letters now. Look at the board again.");
-});
+}
 
-test("a page that is older than the relay offers to reload", async ({ page, relay }) => {
+async function offersReload({ page, relay }: Visit): Promise<void> {
   const { code } = await ClassTeacher.start(relay);
   await page.route("**/api/v1/joins", (route) =>
     route.fulfill({ status: 201, json: { class: "of a later version" } }),
@@ -100,48 +94,18 @@ test("a page that is older than the relay offers to reload", async ({ page, rela
   await page.getByRole("button", { name: "Reload" }).click();
   await page.getByRole("button", { name: "Join" }).click();
   await expect(page.getByRole("heading", { name: /^Your name in this class is / })).toBeVisible();
-});
+}
 
-test("a student without a network reads what still works", async ({
-  page,
-  context,
-  pageErrors,
-}) => {
-  pageErrors.ignoreFailedRequests();
+async function readsThatItIsOffline({ page }: Visit): Promise<void> {
   await page.goto("/join");
   await expect(lettersOf(page)).toBeVisible();
-  await context.setOffline(true);
+  await page.context().setOffline(true);
   await join(page, NO_CLASS);
   await expect(page.getByRole("alert")).toContainText("You are offline.");
-});
+  await page.context().setOffline(false);
+}
 
-test("fits a phone and 320 px, also in a right-to-left language", async ({
-  openWindow,
-  pageErrors,
-  relay,
-}) => {
-  pageErrors.ignoreFailedRequests();
-  const { code } = await ClassTeacher.start(relay);
-  for (const locale of ["en", "ar"]) {
-    const { page } = await openWindow({ ...phone, locale });
-    await page.goto("/join#ZZZZZZ");
-    await page.getByRole("textbox").press("Enter");
-    await expect(page.getByRole("alert")).toBeVisible();
-    await expect(page.getByRole("textbox")).toHaveCSS("direction", "ltr");
-    expect(await smallTouchTargets(page)).toEqual([]);
-    for (const width of [390, 320]) {
-      await page.setViewportSize({ width, height: 568 });
-      await expect.poll(() => horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
-    }
-    await page.getByRole("textbox").fill(code);
-    await page.getByRole("textbox").press("Enter");
-    await expect(page.locator("details")).toBeVisible();
-    expect(await smallTouchTargets(page)).toEqual([]);
-    expect(await horizontalOverflow(page), locale).toEqual([]);
-  }
-});
-
-test("a student takes another name before the start, at most twice", async ({ page, relay }) => {
+async function takesOtherNames({ page, relay }: Visit): Promise<void> {
   const teacher = await ClassTeacher.start(relay, ["One", "Two", "Three", "Four"]);
   await page.goto(`/join#${teacher.code}`);
   await page.getByRole("button", { name: "Join" }).click();
@@ -165,12 +129,9 @@ test("a student takes another name before the start, at most twice", async ({ pa
       ({ name: { text } }) => `Your name in this class is ${text}`,
     ),
   ).toEqual([name]);
-});
+}
 
-test("a student whose class has ended reads it when asking for another name", async ({
-  page,
-  relay,
-}) => {
+async function readsThatClassHasEnded({ page, relay }: Visit): Promise<void> {
   const teacher = await ClassTeacher.start(relay);
   await page.goto(`/join#${teacher.code}`);
   await page.getByRole("button", { name: "Join" }).click();
@@ -179,4 +140,57 @@ test("a student whose class has ended reads it when asking for another name", as
   await teacher.direct("DELETE");
   await other.click();
   await expect(page.getByRole("alert")).toHaveText(/The lesson is over|You are no longer/);
+}
+
+test("a student joins with the letters on the board, and takes another name before the start", async ({
+  page,
+  relay,
+}) => {
+  const visit = { page, relay };
+  await test.step("a student joins with small letters, and stays in the class after a reload", () =>
+    joinsAndReloads(visit));
+  await test.step("the code of an address is in the field, and is gone once the student has joined", () =>
+    joinsByAddress(visit));
+  await test.step("a student takes another name before the start, at most twice", () =>
+    takesOtherNames(visit));
+  await test.step("a page that is older than the relay offers to reload", () =>
+    offersReload(visit));
+});
+
+test("a student who cannot join reads why", async ({ page, pageErrors, relay }) => {
+  pageErrors.ignoreFailedRequests();
+  const visit = { page, relay };
+  await test.step("a student without a network reads what still works", () =>
+    readsThatItIsOffline(visit));
+  await test.step("each refusal says what to do, and the letters stay in the field", () =>
+    refusesWithAdvice(visit));
+  await test.step("a student whose class has ended reads it when asking for another name", () =>
+    readsThatClassHasEnded(visit));
+});
+
+test("fits a phone and 320 px, also in a right-to-left language", async ({
+  openWindow,
+  pageErrors,
+  relay,
+}) => {
+  pageErrors.ignoreFailedRequests();
+  const { code } = await ClassTeacher.start(relay);
+  const { page } = await openWindow(phone);
+  for (const locale of ["en", "ar"]) {
+    await page.goto(`/join?lang=${locale}#ZZZZZZ`);
+    await expect(page.locator("html")).toHaveAttribute("lang", locale);
+    await page.getByRole("textbox").press("Enter");
+    await expect(page.getByRole("alert")).toBeVisible();
+    await expect(page.getByRole("textbox")).toHaveCSS("direction", "ltr");
+    expect(await smallTouchTargets(page)).toEqual([]);
+    for (const width of [390, 320]) {
+      await page.setViewportSize({ width, height: 568 });
+      await expect.poll(() => horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
+    }
+    await page.getByRole("textbox").fill(code);
+    await page.getByRole("textbox").press("Enter");
+    await expect(page.locator("details")).toBeVisible();
+    expect(await smallTouchTargets(page)).toEqual([]);
+    expect(await horizontalOverflow(page), locale).toEqual([]);
+  }
 });
