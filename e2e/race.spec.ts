@@ -3,6 +3,7 @@ import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { Recording, type RunDocument } from "@corridor/recording";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
@@ -25,12 +26,11 @@ function runLink(mazeId: string, ticks = 36_000): { link: string; run: RunDocume
   return { link: `/#${encoded.text}`, run: written.run };
 }
 
-test("races a friend's linked run on one clock, and compares time, bumps and lines", async ({
-  corridor,
-}) => {
+async function racesLinkedRun(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
   const { link } = runLink("tree");
-  await corridor.open(link);
+  await page.evaluate((hash) => (location.hash = hash), link.slice("/#".length));
+  await expect(corridor.mazeMenu).toHaveAccessibleName("tree, Maze menu");
   await expect(corridor.timeline.pastLabel).toBeVisible();
   await page.getByRole("button", { name: "Race this run" }).click();
   await expect(corridor.message(/^Ghost A is ready\./)).toBeVisible();
@@ -79,12 +79,14 @@ test("races a friend's linked run on one clock, and compares time, bumps and lin
   await dialog.getByRole("button", { name: "Remove ghost A" }).click();
   await expect(dialog).toBeHidden();
   await expect(page.getByRole("button", { name: "Race against 1 ghost" })).toBeHidden();
-});
+}
 
-test("races eight robots, and says that a ninth has no room", async ({ openWindow }) => {
-  const corridor = await openWindow({ viewport: { width: 320, height: 700 } });
+async function racesEightRobots(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
-  await corridor.open(runLink("tree").link);
+  await page.setViewportSize({ width: 320, height: 700 });
+  await page.evaluate((hash) => (location.hash = hash), runLink("tree").link.slice("/#".length));
+  await expect(corridor.mazeMenu).toHaveAccessibleName("tree, Maze menu");
+  await corridor.dismissMessages();
   await page.getByRole("button", { name: "Race this run" }).click();
   await expect(corridor.message(/^Ghost A is ready\./)).toBeVisible();
   await corridor.dismissMessages();
@@ -105,12 +107,9 @@ test("races eight robots, and says that a ninth has no room", async ({ openWindo
   const overflow = await dialog.evaluate((each) => each.scrollWidth - each.clientWidth);
   expect(overflow).toBe(0);
   await expectNoAxeViolations(page, "the table of a race of eight robots");
-});
+}
 
-test("offers the race on a phone too, and ends it when the maze changes", async ({
-  openWindow,
-}) => {
-  const corridor = await openWindow({ viewport: { width: 390, height: 844 }, hasTouch: true });
+async function endsRaceWithEdit(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
   await corridor.open(runLink("spiral").link);
   await page.getByRole("button", { name: "Race this run" }).click();
@@ -128,9 +127,10 @@ test("offers the race on a phone too, and ends it when the maze changes", async 
   await corridor.maze.tap({ column: 0, row: 0 });
   await expect(corridor.message("The maze changed, so the race is over.")).toBeVisible();
   await expect(chip).toBeHidden();
-});
+}
 
-test("keeps the ghosts of a race across a reload", async ({ corridor, page }) => {
+async function keepsGhostsAcrossReload(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   const card = page.getByRole("region", { name: "Solved!" });
@@ -144,4 +144,19 @@ test("keeps the ghosts of a race across a reload", async ({ corridor, page }) =>
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(card).toContainText("You and ghost A were first, at the same time.");
+}
+
+test("races the robot against runs of its own and of a friend", async ({ corridor }) => {
+  await test.step("keeps the ghosts of a race across a reload", () =>
+    keepsGhostsAcrossReload(corridor));
+  await test.step("races a friend's linked run on one clock, and compares time, bumps and lines", () =>
+    racesLinkedRun(corridor));
+});
+
+test("races on a phone", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  await test.step("offers the race on a phone, and ends it when the maze changes", () =>
+    endsRaceWithEdit(corridor));
+  await test.step("races eight robots, and says that a ninth has no room", () =>
+    racesEightRobots(corridor));
 });
