@@ -29,10 +29,8 @@ async function returnToStart(corridor: CorridorPage): Promise<void> {
   await corridor.selectDriver("Me");
 }
 
-test("drives while a key is held, and stops on release, Space, Escape or when the window loses the focus", async ({
-  corridor,
-  page,
-}) => {
+async function drivesWhileKeyIsHeld(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await driveInEmptyMaze(corridor);
   for (const { key, moves } of [
     { key: "w", moves: /^Robot at (?!50,)\d+, 650, facing right$/ },
@@ -60,13 +58,12 @@ test("drives while a key is held, and stops on release, Space, Escape or when th
   await page.evaluate(() => window.dispatchEvent(new Event("blur")));
   await expectStopped(corridor);
   await page.keyboard.up("w");
-});
+}
 
-test("drives by key after a click on a driver or a speed, but not with a driver that was reached with Tab, in a field or on the maze", async ({
-  corridor,
-  page,
-}) => {
+async function drivesByKeyAfterClick(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.choosePreset("Empty");
+  await corridor.selectDriver("Program");
   await corridor.driver("Program").click();
   await expect(corridor.driver("Program")).toBeFocused();
   await page.keyboard.down("ArrowUp");
@@ -110,12 +107,10 @@ test("drives by key after a click on a driver or a speed, but not with a driver 
   await page.keyboard.up("ArrowUp");
   await expect(corridor.robotPose).toHaveText(start);
   await expect(corridor.clock).toHaveText("Time 0:00.0");
-});
+}
 
-test("drives backward with S and forward with W, one key after the other", async ({
-  corridor,
-  page,
-}) => {
+async function drivesBackward(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await driveInEmptyMaze(corridor);
   await page.keyboard.down("w");
   // Far enough from the wall behind that a slow machine sees the robot reverse before it bumps.
@@ -129,12 +124,10 @@ test("drives backward with S and forward with W, one key after the other", async
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(xAtForward);
   await page.keyboard.up("w");
   await expectStopped(corridor);
-});
+}
 
-test("drives while an on-screen button is held, and takes over from a running program by button and by key, which takes over once", async ({
-  corridor,
-  page,
-}) => {
+async function takesOverFromProgram(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await driveInEmptyMaze(corridor);
   await corridor.driveKey("forward").hover();
   await page.mouse.down();
@@ -186,13 +179,10 @@ test("drives while an on-screen button is held, and takes over from a running pr
   await page.keyboard.press("Space");
   await expect(corridor.run).toBeVisible();
   await expect(corridor.driver("Program")).toBeChecked();
-});
+}
 
-test("takes over with w or an arrow key on the first screen, with one message", async ({
-  page,
-}) => {
-  await clearStorageOnLoad(page);
-  const corridor = new CorridorPage(page);
+async function takesOverOnFirstScreen(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   for (const key of ["w", "ArrowUp"]) {
     await corridor.open();
     const takeoverMessage = corridor.messages.getByText(
@@ -208,12 +198,10 @@ test("takes over with w or an arrow key on the first screen, with one message", 
     await corridor.waitForRobotToStop();
     await expect(takeoverMessage).toHaveCount(0);
   }
-});
+}
 
-test("reports a bump when the driver drives into a wall, and marks only the reading of the touched side in red", async ({
-  corridor,
-  page,
-}) => {
+async function reportsBumpOfDriver(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.speed.selectOption("16×");
   await driveInEmptyMaze(corridor);
   await page.keyboard.down("w");
@@ -252,11 +240,14 @@ test("reports a bump when the driver drives into a wall, and marks only the read
   await expect.poll(() => background("back")).toBe(normal);
   for (const name of ["front", "right", "left"] as const)
     expect(await background(name)).toBe(normal);
-});
+}
 
-test("reports which line caused a bump of the program", async ({ corridor }) => {
-  await corridor.program.loadAlgorithm("Back and forth");
-  await corridor.program.number(1).fill("10");
+async function reportsLineOfBump(corridor: CorridorPage): Promise<void> {
+  const { program } = corridor;
+  await corridor.choosePreset("Long way round");
+  await program.deleteAllLines();
+  await program.addLine("front <", "10", "turn 180");
+  await program.otherwise.selectOption("forward");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(
@@ -264,11 +255,11 @@ test("reports which line caused a bump of the program", async ({ corridor }) => 
   );
   // “otherwise” drove because line 1 became true too late.
   await expect(corridor.bumpCard(1)).toBeVisible();
-  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
+  await expect(program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
   // A bump of the program pauses the run, so that its card can explain the bump.
   await expect(corridor.run).toBeVisible();
-  await corridor.program.number(1).fill("300");
-  await corridor.program.action(1).selectOption("forward");
+  await program.number(1).fill("300");
+  await program.action(1).selectOption("forward");
   await corridor.reset.click();
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(/^Bump: the program drove into a block/);
@@ -276,5 +267,39 @@ test("reports which line caused a bump of the program", async ({ corridor }) => 
   await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
     "line 1 chose “forward”. A line for this place is missing.",
   );
-  await expect(corridor.program.line(1)).not.toHaveAccessibleName(/look here/);
+  await expect(program.line(1)).not.toHaveAccessibleName(/look here/);
+}
+
+test("drives by hand, and explains bumps", async ({ page }) => {
+  const corridor = new CorridorPage(page);
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await corridor.reset.click();
+      await corridor.dismissMessages();
+      await corridor.speed.selectOption("1");
+    });
+  await clearStorageOnLoad(page);
+  await step(
+    "takes over with w or an arrow key on the first screen, with one message",
+    takesOverOnFirstScreen,
+  );
+  await step(
+    "drives while a key is held, and stops on release, Space, Escape or when the window loses the focus",
+    drivesWhileKeyIsHeld,
+  );
+  await step(
+    "drives by key after a click on a driver or a speed, but not with a driver that was reached with Tab, in a field or on the maze",
+    drivesByKeyAfterClick,
+  );
+  await step("drives backward with S and forward with W, one key after the other", drivesBackward);
+  await step(
+    "drives while an on-screen button is held, and takes over from a running program by button and by key, which takes over once",
+    takesOverFromProgram,
+  );
+  await step(
+    "reports a bump when the driver drives into a wall, and marks only the reading of the touched side in red",
+    reportsBumpOfDriver,
+  );
+  await step("reports which line caused a bump of the program", reportsLineOfBump);
 });
