@@ -1,12 +1,11 @@
 /** Zooming the maze by button, key, wheel and two fingers. */
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { TouchInput } from "./support/touch-input.ts";
 import { boxOf, phone } from "./support/phone.ts";
 
-test("zooms by buttons, keys and the wheel, and fits the maze again", async ({
-  corridor,
-  page,
-}) => {
+async function zoomsByButtonsKeysAndWheel(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { grid } = corridor.maze;
   const width = async () => (await boxOf(grid)).width;
   const initialWidth = await width();
@@ -33,12 +32,10 @@ test("zooms by buttons, keys and the wheel, and fits the maze again", async ({
   await page.keyboard.up("Control");
   await page.keyboard.press("0");
   await expect.poll(width).toBe(initialWidth);
-});
+}
 
-test("ignores the zoom keys where single keys are off, and lists them", async ({
-  corridor,
-  page,
-}) => {
+async function ignoresZoomKeys(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.keyboard.press("?");
   const keys = page.getByRole("dialog").filter({ hasText: "Zoom in, zoom out, fit the maze" });
   await expect(keys).toBeVisible();
@@ -48,7 +45,7 @@ test("ignores the zoom keys where single keys are off, and lists them", async ({
   await page.keyboard.press("+");
   await corridor.waitForFrames(12);
   expect((await boxOf(corridor.maze.grid)).width).toBe(before);
-});
+}
 
 test("zooms with two fingers on a phone, and edits nothing", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
@@ -72,7 +69,8 @@ test("zooms with two fingers on a phone, and edits nothing", async ({ openWindow
   await expect(corridor.maze.button("Undo")).toBeDisabled();
 });
 
-test("does not cover the zoom buttons with messages", async ({ corridor, page }) => {
+async function leavesZoomButtonsUncovered(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const zoom = page.getByRole("group", { name: "Zoom", exact: true });
   await expect(zoom).toBeVisible();
   await corridor.transport.getByRole("button", { name: "Write my own" }).click();
@@ -81,4 +79,19 @@ test("does not cover the zoom buttons with messages", async ({ corridor, page })
   const buttons = await boxOf(zoom);
   expect(message.y + message.height).toBeLessThanOrEqual(buttons.y);
   await page.getByRole("button", { name: "Zoom in" }).click({ timeout: 1000 });
+}
+
+test("zooms the maze with mouse and keyboard", async ({ corridor }) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await corridor.dismissMessages();
+      await corridor.page.keyboard.press("0");
+    });
+  await step("does not cover the zoom buttons with messages", leavesZoomButtonsUncovered);
+  await step(
+    "zooms by buttons, keys and the wheel, and fits the maze again",
+    zoomsByButtonsKeysAndWheel,
+  );
+  await step("ignores the zoom keys where single keys are off, and lists them", ignoresZoomKeys);
 });
