@@ -1,13 +1,12 @@
 /** Editing a maze by pointer and by keyboard. */
-import type { Square } from "./pages/maze-grid.ts";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import type { Square } from "./pages/maze-grid.ts";
 
 const open: Square = { column: 2, row: 6 };
 const filled: Square = { column: 3, row: 6 };
 
-test("adds a block with a click on a square, and removes it with a second click", async ({
-  corridor,
-}) => {
+async function addsAndRemovesBlocks(corridor: CorridorPage): Promise<void> {
   await corridor.maze.expectSquare(open, "open");
   await corridor.maze.click(open);
   await corridor.maze.expectSquare(open, "block");
@@ -15,9 +14,9 @@ test("adds a block with a click on a square, and removes it with a second click"
   await corridor.maze.expectSquare(open, "open");
   await corridor.maze.click(filled);
   await corridor.maze.expectSquare(filled, "open");
-});
+}
 
-test("paints a row of blocks in one drag, and one Undo removes them all", async ({ corridor }) => {
+async function paintsRow(corridor: CorridorPage): Promise<void> {
   const { maze } = corridor;
   await corridor.choosePreset("Empty");
   const stroke = [2, 3, 4, 5, 6].map((column) => ({ column, row: 2 }));
@@ -37,11 +36,9 @@ test("paints a row of blocks in one drag, and one Undo removes them all", async 
   await maze.expectSquare({ column: 2, row: 2 }, "open");
   await maze.expectSquare({ column: 2, row: 3 }, "open");
   await maze.expectSquare({ column: 3, row: 2 }, "open");
-});
+}
 
-test("reports why the squares of the robot and the start cannot be filled", async ({
-  corridor,
-}) => {
+async function reportsOccupiedSquares(corridor: CorridorPage): Promise<void> {
   const { maze } = corridor;
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -54,9 +51,9 @@ test("reports why the squares of the robot and the start cannot be filled", asyn
   await maze.click({ column: 0, row: 6 });
   await expect(corridor.message("This is the start. Move the start first.")).toBeVisible();
   await maze.expectSquare({ column: 0, row: 6 }, "open, start, facing right");
-});
+}
 
-test("moves the start, turns it, and adds and removes goals", async ({ corridor }) => {
+async function movesStartAndGoals(corridor: CorridorPage): Promise<void> {
   const { maze } = corridor;
   await maze.tool("Start").check();
   await maze.click({ column: 2, row: 6 });
@@ -78,9 +75,9 @@ test("moves the start, turns it, and adds and removes goals", async ({ corridor 
   await maze.expectSquare({ column: 10, row: 0 }, "open");
   await maze.click({ column: 3, row: 6 });
   await expect(corridor.message("There is a block on this square.")).toBeVisible();
-});
+}
 
-test("clears the maze after a confirmation, and can undo it", async ({ corridor }) => {
+async function clearsMaze(corridor: CorridorPage): Promise<void> {
   const { maze } = corridor;
   const dialog = corridor.dialog("Clear this maze?");
   await maze.button("Clear maze").click();
@@ -98,9 +95,10 @@ test("clears the maze after a confirmation, and can undo it", async ({ corridor 
   await expect(corridor.robotPose).toHaveText("Robot at 50, 650, facing right");
   await maze.button("Undo").click();
   await maze.expectSquare(filled, "block");
-});
+}
 
-test("resizes the maze, and reports the valid sizes", async ({ corridor, page }) => {
+async function resizesMaze(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { maze } = corridor;
   await maze.button("Resize").click();
   const dialog = corridor.dialog("Resize the maze");
@@ -121,12 +119,10 @@ test("resizes the maze, and reports the valid sizes", async ({ corridor, page })
   await maze.expectSquare({ column: 32, row: 32 }, "open");
   await page.keyboard.press("Control+z");
   await expect(maze.grid).toHaveAttribute("aria-colcount", "11");
-});
+}
 
-test("edits by keyboard alone: moves the cursor, adds, removes, undoes and redoes", async ({
-  corridor,
-  page,
-}) => {
+async function editsByKeyboard(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { maze } = corridor;
   const { keyboard } = page;
   await page.keyboard.press("Tab");
@@ -164,9 +160,9 @@ test("edits by keyboard alone: moves the cursor, adds, removes, undoes and redoe
   await keyboard.press("PageUp");
   await expect(maze.cursor).toHaveAccessibleName("row 1, column 11, open, goal");
   await expect(maze.cursor).toBeFocused();
-});
+}
 
-test("paints around a moving robot without stopping it", async ({ corridor }) => {
+async function paintsAroundMovingRobot(corridor: CorridorPage): Promise<void> {
   await corridor.choosePreset("Straight corridor");
   await corridor.program.loadAlgorithm("Back and forth");
   // Without a goal, the run does not end.
@@ -181,4 +177,35 @@ test("paints around a moving robot without stopping it", async ({ corridor }) =>
   await expect(corridor.clock).not.toHaveText(before ?? "");
   await expect(corridor.pause).toBeVisible();
   await expect(corridor.bumps).toHaveText("0 bumps");
+}
+
+test("edits a maze by pointer and by keyboard", async ({ corridor }) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      // The first maze again, without edits, messages and runs.
+      await corridor.dismissMessages();
+      await corridor.choosePreset("Long way round");
+      await corridor.maze.tool("Blocks").check();
+      await corridor.speed.selectOption("1");
+      await corridor.dismissMessages();
+    });
+  // With the first program: a maze from the presets opens without one.
+  await step(
+    "reports why the squares of the robot and the start cannot be filled",
+    reportsOccupiedSquares,
+  );
+  await step(
+    "edits by keyboard alone: moves the cursor, adds, removes, undoes and redoes",
+    editsByKeyboard,
+  );
+  await step(
+    "adds a block with a click on a square, and removes it with a second click",
+    addsAndRemovesBlocks,
+  );
+  await step("paints a row of blocks in one drag, and one Undo removes them all", paintsRow);
+  await step("moves the start, turns it, and adds and removes goals", movesStartAndGoals);
+  await step("clears the maze after a confirmation, and can undo it", clearsMaze);
+  await step("resizes the maze, and reports the valid sizes", resizesMaze);
+  await step("paints around a moving robot without stopping it", paintsAroundMovingRobot);
 });
