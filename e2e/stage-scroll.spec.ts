@@ -52,33 +52,27 @@ async function scrollToTheEnd({ page, maze }: CorridorPage): Promise<void> {
   }).toPass();
 }
 
-for (const isPhone of [false, true]) {
-  test(`draws a small maze at its squares after a large one was scrolled, ${isPhone ? "on a phone" : "on a desktop"}`, async ({
-    openWindow,
-  }) => {
-    const corridor = await openWindow(isPhone ? phone : {});
-    await corridor.open();
-    await chooseSmall(corridor, isPhone);
-    const picture = new StageScreenshot(corridor.page);
-    const fresh = await picture.capture();
+async function drawsSmallAfterLarge(corridor: CorridorPage, isPhone: boolean): Promise<void> {
+  await chooseSmall(corridor, isPhone);
+  const picture = new StageScreenshot(corridor.page);
+  const fresh = await picture.capture();
 
-    await chooseLarge(corridor, isPhone);
-    await scrollToTheEnd(corridor);
-    await chooseSmall(corridor, isPhone);
-    await picture.expectSame(fresh);
-    await expect(corridor.robotPose).toHaveText(/^Robot at /);
+  await chooseLarge(corridor, isPhone);
+  await scrollToTheEnd(corridor);
+  await chooseSmall(corridor, isPhone);
+  await picture.expectSame(fresh);
+  await expect(corridor.robotPose).toHaveText(/^Robot at /);
 
-    // A press edits the square that is drawn at that place.
-    const square = { column: 4, row: 1 };
-    if (isPhone) await tab(corridor.page, "Program").tap();
-    const before = await picture.capture();
-    await corridor.maze.click(square);
-    await picture.expectDifferent(before);
-    await corridor.maze.expectSquare(square, "block");
-  });
+  // A press edits the square that is drawn at that place.
+  const square = { column: 4, row: 1 };
+  if (isPhone) await tab(corridor.page, "Program").tap();
+  const before = await picture.capture();
+  await corridor.maze.click(square);
+  await picture.expectDifferent(before);
+  await corridor.maze.expectSquare(square, "block");
 }
 
-test("shows a whole mission after a large maze was driven at full speed", async ({ corridor }) => {
+async function showsWholeMission(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
   await chooseLarge(corridor, false);
   // A maze from the presets opens with an empty program.
@@ -92,4 +86,19 @@ test("shows a whole mission after a large maze was driven at full speed", async 
   await new LessonsPanel(page).openMission(2);
   await expect(corridor.maze.grid).not.toHaveAttribute("aria-colcount", "37");
   await expect(corridor.maze.grid).toBeInViewport({ ratio: 1 });
+}
+
+test("draws a small maze at its squares after a large one was scrolled, on a phone", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  await drawsSmallAfterLarge(corridor, true);
+});
+
+test("draws a small maze and a mission after a large maze, on a desktop", async ({ corridor }) => {
+  await test.step("draws a small maze at its squares after a large one was scrolled", () =>
+    drawsSmallAfterLarge(corridor, false));
+  await test.step("shows a whole mission after a large maze was driven at full speed", () =>
+    showsWholeMission(corridor));
 });
