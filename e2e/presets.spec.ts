@@ -1,19 +1,19 @@
 /** The presets: ready-made mazes with solved marks, random mazes, algorithms. */
 import { generateMaze } from "@corridor/maze";
 import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
 test.use(smallWindow);
 
-test("generates a random maze with rooms and the size slider", async ({ corridor, page }) => {
+async function generatesRooms(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
   await presets.getByRole("radio", { name: "Rooms" }).click();
-  const size = presets.getByRole("slider", { name: "Size" });
-  await expect(size).toHaveAttribute("aria-valuetext", "21 by 21 squares");
-  await size.fill("31");
+  await presets.getByRole("slider", { name: "Size" }).fill("31");
   await expect(presets.getByText("31 by 31 squares")).toBeVisible();
   await presets.getByRole("textbox", { name: "Seed" }).fill("4711");
   await presets.getByRole("button", { name: "Open random maze" }).click();
@@ -25,12 +25,10 @@ test("generates a random maze with rooms and the size slider", async ({ corridor
   const same = generateMaze({ kind: "rooms", columns: 31, rows: 31, seed: 4711, name: "" });
   const goal = same.goals[0] ?? { column: 0, row: 0 };
   await corridor.maze.expectSquare(goal, "open, goal");
-});
+}
 
-test("generates another maze with a new seed by keyboard alone, and undoes it", async ({
-  corridor,
-  page,
-}) => {
+async function generatesByKeyboard(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.getByRole("button", { name: "Presets", exact: true }).press("Enter");
   const presets = corridor.dialog("Presets");
   const seed = presets.getByRole("textbox", { name: "Seed" });
@@ -52,11 +50,16 @@ test("generates another maze with a new seed by keyboard alone, and undoes it", 
   await expect(corridor.mazeMenu).toHaveAccessibleName(`Loops 19, seed ${generated}, Maze menu`);
   await corridor.messages.getByRole("button", { name: "Undo" }).press("Enter");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-});
+}
 
-test("rejects an invalid seed, and keeps the last valid one", async ({ corridor, page }) => {
+async function rejectsInvalidSeed(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
+  await expect(presets.getByRole("slider", { name: "Size" })).toHaveAttribute(
+    "aria-valuetext",
+    "21 by 21 squares",
+  );
   const seed = presets.getByRole("textbox", { name: "Seed" });
   await seed.fill("12");
   await seed.fill("many");
@@ -64,10 +67,15 @@ test("rejects an invalid seed, and keeps the last valid one", async ({ corridor,
   await expect(presets.getByText("Tree 21, seed 12")).toBeVisible();
   await expect(presets.getByRole("heading", { name: "Random maze" })).toBeVisible();
   await expectNoAxeViolations(page, "presets");
-});
+  await page.keyboard.press("Escape");
+}
 
-test("marks a solved preset maze, also after a reload", async ({ corridor, page }) => {
-  await corridor.program.nameAsOwn();
+async function marksSolvedMaze(corridor: CorridorPage): Promise<void> {
+  const { page, program } = corridor;
+  await program.deleteAllLines();
+  await program.addLine("right >", "60", "delayed right 90");
+  await program.addLine("front <", "50", "left 90");
+  await program.nameAsOwn();
   await corridor.choosePreset("First steps");
   await corridor.speed.selectOption("max");
   await corridor.run.click();
@@ -77,9 +85,10 @@ test("marks a solved preset maze, also after a reload", async ({ corridor, page 
   const presets = corridor.dialog("Presets");
   await expect(presets.getByRole("button", { name: /^First steps/ })).toContainText("solved");
   await expect(presets.getByRole("button", { name: /^Spiral/ })).not.toContainText("solved");
-});
+}
 
-test("loads an algorithm from the presets", async ({ corridor, page }) => {
+async function loadsAlgorithm(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
   const leftWall = presets.getByRole("button", { name: /^Left wall/ });
@@ -89,9 +98,10 @@ test("loads an algorithm from the presets", async ({ corridor, page }) => {
   await leftWall.click();
   await expect(corridor.program.name).toHaveValue("Left wall");
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-});
+}
 
-test("asks before an algorithm replaces the user's lines", async ({ corridor, page }) => {
+async function asksBeforeReplacing(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   const { program } = corridor;
   await corridor.transport.getByRole("button", { name: "Write my own" }).click();
   await expect(program.lines).toHaveCount(0);
@@ -107,12 +117,10 @@ test("asks before an algorithm replaces the user's lines", async ({ corridor, pa
   await expect(menu).toBeHidden();
   await expect(program.name).toHaveValue("Farthest distance");
   await expect(program.lines).toHaveCount(3);
-});
+}
 
-test("shows the whole question before an algorithm replaces lines, and takes the answer by keys", async ({
-  corridor,
-  page,
-}) => {
+async function showsWholeQuestion(corridor: CorridorPage): Promise<void> {
+  const { page } = corridor;
   await corridor.program.number(2).fill("40");
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   const presets = corridor.dialog("Presets");
@@ -125,7 +133,29 @@ test("shows the whole question before an algorithm replaces lines, and takes the
   await expect(presets.getByRole("button", { name: "Keep my lines" })).toBeFocused();
   await page.keyboard.press("Enter");
   await expect(presets.getByRole("button", { name: /^Back and forth/ })).toBeFocused();
+  await page.keyboard.press("Escape");
   await expect(corridor.program.number(2)).toHaveValue("40");
+}
+
+test("opens ready-made and random mazes, and algorithms", async ({ corridor }) => {
+  const step = (title: string, check: (page: CorridorPage) => Promise<void>) =>
+    test.step(title, async () => {
+      await check(corridor);
+      await corridor.dismissMessages();
+    });
+  await step("rejects an invalid seed, and keeps the last valid one", rejectsInvalidSeed);
+  await step(
+    "generates another maze with a new seed by keyboard alone, and undoes it",
+    generatesByKeyboard,
+  );
+  await step("asks before an algorithm replaces the user's lines", asksBeforeReplacing);
+  await step("loads an algorithm from the presets", loadsAlgorithm);
+  await step(
+    "shows the whole question before an algorithm replaces lines, and takes the answer by keys",
+    showsWholeQuestion,
+  );
+  await step("generates a random maze with rooms and the size slider", generatesRooms);
+  await step("marks a solved preset maze, also after a reload", marksSolvedMaze);
 });
 
 test("selects a random maze on a phone", async ({ openWindow }) => {
