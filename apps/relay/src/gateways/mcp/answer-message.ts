@@ -9,6 +9,7 @@ import {
   WebStandardStreamableHTTPServerTransport,
 } from "@modelcontextprotocol/server";
 import type { Request as HttpRequest, Response as HttpResponse } from "express";
+import { closeSignal } from "../../platform/http/on-close.ts";
 
 /** Headers that the protocol reads. */
 const headerNames = ["mcp-protocol-version", "mcp-method", "mcp-name"] as const;
@@ -42,16 +43,8 @@ function webRequestOf(request: HttpRequest, response: HttpResponse): Request {
     const value = request.get(name);
     if (value !== undefined) headers.set(name, value);
   }
-  const { signal, abort } = abortOnClose(response);
-  if (response.closed) abort();
+  const signal = closeSignal(response);
   return new Request("http://relay/mcp", { method: "POST", headers, signal });
-}
-
-function abortOnClose(response: HttpResponse): { signal: AbortSignal; abort: () => void } {
-  const controller = new AbortController();
-  const abort = (): void => controller.abort();
-  response.once("close", abort);
-  return { signal: controller.signal, abort };
 }
 
 async function answerLegacy(agent: Agent, message: unknown, request: Request): Promise<Response> {

@@ -8,6 +8,7 @@ import { MAX_FRAME_BYTES, protocolClients, type RefusedError } from "@corridor/p
 import { Router, type Request, type Response } from "express";
 import { z } from "zod";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { onClose } from "../../platform/http/on-close.ts";
 import { bodyReader } from "../../platform/http/reading.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
@@ -60,7 +61,7 @@ export function mcpRoutes(
     // The client may have disconnected during authorisation.
     if (response.closed) return;
     const agent = createAgent(new RelayPort(grant, requestConnection), registry.clock, onRefused);
-    response.once("close", () => agent.close());
+    onClose(response, () => agent.close());
     await answerMessage(agent, message, request, response);
   };
   for (const path of [MCP_PATH, `${MCP_PATH}/:key`]) {

@@ -2,6 +2,7 @@
 import type { Request, RequestHandler, Response } from "express";
 import { Refusal } from "../../platform/errors/problems.ts";
 import type { GatewayName } from "@corridor/protocol";
+import { onClose } from "../../platform/http/on-close.ts";
 import { readBearer } from "../../platform/http/reading.ts";
 import type { Verb } from "../../robots/access/callers.ts";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";
@@ -45,9 +46,7 @@ export async function authoriseGateway(
       ? await registry.authorise(id, key, verb, introduction, use)
       : await registry.authorise(id, bearer, verb, introduction);
   const markAnswered = grant.robot.received(grant.caller);
-  response.once("close", markAnswered);
-  // The client may have disconnected during authorisation.
-  if (response.closed) markAnswered();
+  onClose(response, markAnswered);
   return grant;
 }
 

@@ -23,6 +23,7 @@ import {
   wholeNumber,
   readBearer,
 } from "../../platform/http/reading.ts";
+import { onClose } from "../../platform/http/on-close.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import type { Caller, Introduction, Verb } from "../../robots/access/callers.ts";
 import type { ScriptTime } from "../../robots/delivery/script-clocks.ts";
@@ -235,9 +236,7 @@ export async function authoriseScript(
   const { robot, caller } = grant;
   const transitMs = robot.scriptClocks.came(caller.hash, readScriptTime(request), arrivedAt);
   const markAnswered = robot.received(caller);
-  response.once("close", markAnswered);
-  // The client may have disconnected during authorisation.
-  if (response.closed) markAnswered();
+  onClose(response, markAnswered);
   const ageMs = (): number => transitMs + registry.clock.now() - arrivedAt;
   return { ...grant, ageMs, markAnswered };
 }

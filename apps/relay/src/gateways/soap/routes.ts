@@ -6,6 +6,7 @@ import { MAX_FRAME_BYTES, protocolClients, type RefusedError } from "@corridor/p
 import { Router, type Request, type Response } from "express";
 import { asRefused, badRequest, Refusal } from "../../platform/errors/problems.ts";
 import { methodNotAllowed, refusalOf } from "../../platform/http/fallbacks.ts";
+import { onClose } from "../../platform/http/on-close.ts";
 import { mediaTypeOf, textReader } from "../../platform/http/reading.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
@@ -125,7 +126,7 @@ async function answerOf(
   const run = await readFor(grant, () => operation.read(source));
   if (response.closed) return null;
   const port = new RelayPort(grant, requestConnection);
-  response.once("close", () => port.close());
+  onClose(response, () => port.close());
   const value = await run({ grant, port, response, ageMs });
   return { name: `${source.name}Response`, value, operation };
 }

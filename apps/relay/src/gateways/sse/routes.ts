@@ -10,6 +10,7 @@ import type { OverReason, ReaderSink } from "../../robots/readers/feed.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { onClose } from "../../platform/http/on-close.ts";
 import { authoriseScript, callerWaitOf, readEvents } from "../requests/script-requests.ts";
 
 const HEADERS = {
@@ -100,14 +101,14 @@ function streamTo(
   });
   // A connection error also emits "close". Without this handler it would end the process.
   response.on("error", destroy);
-  response.once("close", () => {
-    cancelTimer();
-    reader.leave();
-  });
   const sendHeartbeat = (): void => {
     if (response.writableLength > limits.stuckReaderBytes) return over("tooSlow");
     write(": still here\n\n");
     cancelTimer = clock.after(limits.heartbeatMs, sendHeartbeat);
   };
   cancelTimer = clock.after(limits.heartbeatMs, sendHeartbeat);
+  onClose(response, () => {
+    cancelTimer();
+    reader.leave();
+  });
 }

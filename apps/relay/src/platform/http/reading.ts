@@ -9,6 +9,7 @@ import { badRequest, notJson, Refusal } from "../errors/problems.ts";
 import { limits } from "../limits/limits.ts";
 import type { WaitLimit } from "../time/wait-limit.ts";
 import { clientName } from "./client-name.ts";
+import { closeSignal } from "./on-close.ts";
 
 // Checks the text first, then the number, because /openapi.json describes the number.
 export const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
@@ -154,7 +155,5 @@ export function mediaTypeOf(type: string): { name: string; isUtf8: boolean } {
 
 /** Limits of a wait: the timeout, and a signal for when the client disconnects. */
 export function waitLimitOf(response: Response, seconds: number): WaitLimit {
-  const controller = new AbortController();
-  response.once("close", () => controller.abort());
-  return { milliseconds: seconds * 1000, signal: controller.signal };
+  return { milliseconds: seconds * 1000, signal: closeSignal(response) };
 }
