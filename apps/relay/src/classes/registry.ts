@@ -160,8 +160,8 @@ export class ClassRegistry {
 
   /** Deletes a class with all its stored data. */
   async remove(ended: LiveClass): Promise<void> {
-    this.#classes.delete(ended.id);
     await this.#store.remove(ended.id);
+    this.#classes.delete(ended.id);
     ended.over();
   }
 
@@ -181,26 +181,24 @@ export class ClassRegistry {
   }
 
   async #find(id: string): Promise<LiveClass | null> {
-    let found = this.#classes.get(id);
-    if (found === undefined) {
-      found = LiveClass.open(id, {
-        store: this.#store,
-        bus: this.#bus,
-        clock: this.#clock,
-        ended: () => void this.#ended(id),
-      });
-      this.#classes.set(id, found);
-      // Unknown ids and failed reads are not cached.
-      const drop = (): void => void this.#classes.delete(id);
-      void found.then((known) => known === null && drop(), drop);
-    }
-    return found;
+    const known = this.#classes.get(id);
+    if (known !== undefined) return known;
+    const opened = LiveClass.open(id, {
+      store: this.#store,
+      bus: this.#bus,
+      clock: this.#clock,
+      ended: () => void this.#ended(id, opened),
+    });
+    this.#classes.set(id, opened);
+    // Unknown ids and failed reads are not cached.
+    const drop = (): void => void this.#classes.delete(id);
+    void opened.then((found) => found === null && drop(), drop);
+    return opened;
   }
 
-  async #ended(id: string): Promise<void> {
-    const found = this.#classes.get(id);
-    this.#classes.delete(id);
-    (await found?.catch(() => null))?.end();
+  async #ended(id: string, ended: Promise<LiveClass | null>): Promise<void> {
+    if (this.#classes.get(id) === ended) this.#classes.delete(id);
+    (await ended.catch(() => null))?.end();
   }
 
   #limitRate(
@@ -246,7 +244,10 @@ export class ClassRegistry {
       lastUsedAt: now - limits.classIdleMs,
       createdAt: now - limits.classLifeMs,
     });
-    for (const id of ids) await this.#ended(id);
+    for (const id of ids) {
+      const found = this.#classes.get(id);
+      if (found !== undefined) await this.#ended(id, found);
+    }
     if (ids.length > 0) this.#log.info({ count: ids.length }, "deleted expired classes");
   }
 }

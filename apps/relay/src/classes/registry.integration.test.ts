@@ -1,0 +1,20 @@
+import { join } from "node:path";
+import { expect, it, onTestFinished, vi } from "vitest";
+import { LocalClassBus } from "../bus/local-class-bus.ts";
+import { SqliteFile } from "../store/sqlite/file/sqlite-file.ts";
+import { SqliteClassStore } from "../store/sqlite/sqlite-class-store.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import { classAtTwoRelays } from "./two-relays.cases.ts";
+
+it("disconnects the students of a class whose first deletion failed", async () => {
+  const file = new SqliteFile(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => file.close());
+  const backend = { store: new SqliteClassStore(file), bus: new LocalClassBus() };
+  const { a, at, join: joinAt, student } = await classAtTwoRelays([backend, backend]);
+  const { closed } = await student(a, await joinAt(a));
+  vi.spyOn(backend.store, "remove").mockRejectedValueOnce(new Error("the disk is full"));
+  await expect(a.remove(await at(a))).rejects.toThrow("the disk is full");
+  expect(closed).toEqual([]);
+  await a.remove(await at(a));
+  expect(closed).toEqual(["over"]);
+});
