@@ -7,7 +7,7 @@ import { pino } from "pino";
 import { expect, it, onTestFinished } from "vitest";
 import type { RobotStore } from "../store/robot-store.ts";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
-import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-ownership.ts";
@@ -130,4 +130,20 @@ it("deletes nothing after it is closed", async () => {
   await registry.close();
   await clock.pass(10 * 60_000);
   expect(asked).toBe(1);
+});
+
+it("disconnects the clients of expired robots even if another one cannot be loaded", async () => {
+  const { clock, store, registry, instead, robots } = await withRobots(1);
+  const broken = await registry.register("10.0.0.1", "http://localhost");
+  instead.find = async (id) => {
+    await settled();
+    if (id === broken.id) throw new Error("locked");
+    return store.find(id);
+  };
+  instead.removeExpired = async () => {
+    void registry.authorise(broken.id, broken.driverKey, "command").catch(() => undefined);
+    return [broken.id, ...robots.map(({ robot }) => robot.id)];
+  };
+  await clock.pass(1_000);
+  expect(robots.map(({ robot }) => robot.isOver)).toEqual([true]);
 });

@@ -267,7 +267,7 @@ export class RobotRegistry {
       createdAt: now - limits.robotLifeMs,
     });
     for (const id of ids) {
-      const robot = await this.#robots.get(id);
+      const robot = await this.#robots.get(id)?.catch(() => null);
       robot?.close("over");
       this.#robots.delete(id);
     }
