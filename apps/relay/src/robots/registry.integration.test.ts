@@ -147,3 +147,15 @@ it("disconnects the clients of expired robots even if another one cannot be load
   await clock.pass(1_000);
   expect(robots.map(({ robot }) => robot.isOver)).toEqual([true]);
 });
+
+it("keeps serving a robot that could not be deleted", async () => {
+  const { registry, instead, robots, enter } = await withRobots(1);
+  instead.remove = async () => {
+    throw new Error("the disk is full");
+  };
+  for (const { robot } of robots) {
+    await expect(registry.remove(robot)).rejects.toThrow("the disk is full");
+    expect(robot.isOver).toBe(false);
+  }
+  expect((await enter()).map(({ robot }) => robot)).toEqual(robots.map(({ robot }) => robot));
+});

@@ -182,9 +182,10 @@ export class RobotRegistry {
 
   /** Deletes a robot with all its stored data, and disconnects all clients. */
   async remove(robot: Robot): Promise<void> {
-    robot.close("over");
-    this.#robots.delete(robot.id);
+    // First of all, so that a client that reconnects, here or to another relay, finds no robot.
     await this.#store.remove(robot.id);
+    this.#robots.delete(robot.id);
+    robot.close("over");
   }
 
   /** Disconnects all clients because the relay stops. Stored data remains. */

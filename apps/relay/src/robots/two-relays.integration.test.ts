@@ -446,4 +446,16 @@ describe("page and script at different relays", () => {
       kind: "no-robot",
     });
   });
+
+  it("disconnects a client that reconnects to another relay during the deletion", async () => {
+    const { host, pages, scripts, registration } = await withRelays();
+    const removal = pages.remove(host.robot);
+    const again = scripts.authorise(registration.id, registration.driverKey, "command");
+    const reached = await again.then(
+      ({ robot }) => robot,
+      () => null,
+    );
+    await removal;
+    expect(reached?.isOver ?? true).toBe(true);
+  });
 });
