@@ -13,8 +13,8 @@ import type { ClassBus } from "../bus/class-bus.ts";
 import { canBeKey, hashKey, mintClassCode, mintId, mintKey, mintStream } from "../platform/keys.ts";
 import { noClass, Refusal, restarting, retryAfter } from "../platform/errors/problems.ts";
 import { CheckQueue } from "../platform/limits/check-queue.ts";
+import { KeyedRateLimiter } from "../platform/limits/keyed-rate-limiter.ts";
 import { limits } from "../platform/limits/limits.ts";
-import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ClassRow, ClassStore, FoundCode } from "../store/class-store.ts";
 import { checkClassRight, wrongClassKey, type ClassVerb, type Member } from "./access.ts";
@@ -53,8 +53,8 @@ export class ClassRegistry {
   readonly #checks: CheckQueue;
   readonly #classes = new Map<string, Promise<LiveClass | null>>();
   /** by address; in memory only */
-  readonly #creations = new Map<string, TokenBucket>();
-  readonly #joins = new Map<string, TokenBucket>();
+  readonly #creations: KeyedRateLimiter;
+  readonly #joins: KeyedRateLimiter;
   #cancelTimer: () => void;
   #isClosing = false;
 
@@ -63,6 +63,8 @@ export class ClassRegistry {
     this.#bus = parts.bus;
     this.#clock = parts.clock;
     this.#log = parts.log;
+    this.#creations = new KeyedRateLimiter(parts.clock, limits.classRate);
+    this.#joins = new KeyedRateLimiter(parts.clock, limits.joinRate);
     this.#checks = new CheckQueue(parts.clock, limits.codeChecks, limits.codeChecksForAll);
     this.#cancelTimer = parts.clock.after(EXPIRY_CHECK_MS, () => void this.#expire());
   }
@@ -75,7 +77,7 @@ export class ClassRegistry {
    */
   async create(request: ClassRequest, from: string, origin: string): Promise<CreatedClass> {
     if (this.#isClosing) throw restarting();
-    this.#limitRate(this.#creations, limits.classRate, from, "Too many classes were created");
+    limitRate(this.#creations, from, "Too many classes were created");
     const id = mintId();
     const [teacherKey, screenKey] = [mintKey("teach"), mintKey("show")];
     for (;;) {
@@ -116,7 +118,7 @@ export class ClassRegistry {
     const hash = hashKey(code);
     const found = await this.#checks.run(from, hash, async () => this.#validCode(hash));
     if (found === null) throw wrongCode();
-    this.#limitRate(this.#joins, limits.joinRate, from, "Too many students joined");
+    limitRate(this.#joins, from, "Too many students joined");
     const joinedClass = await this.#find(found.id);
     if (joinedClass === null) throw wrongCode();
     joinedClass.used();
@@ -201,21 +203,6 @@ export class ClassRegistry {
     (await ended.catch(() => null))?.end();
   }
 
-  #limitRate(
-    buckets: Map<string, TokenBucket>,
-    rate: { perSecond: number; burst: number },
-    from: string,
-    what: string,
-  ): void {
-    const now = this.#clock.now();
-    const bucket = buckets.get(from) ?? new TokenBucket(rate, now);
-    buckets.set(from, bucket);
-    const waitMs = bucket.take(now);
-    if (waitMs === 0) return;
-    const detail = `${what} from this network. Wait a moment, then try again.`;
-    throw new Refusal("too-fast", detail, { headers: retryAfter(waitMs) });
-  }
-
   /** Schedules the next run after the end of this one, because a deletion may take long. */
   async #expire(): Promise<void> {
     try {
@@ -229,9 +216,6 @@ export class ClassRegistry {
 
   async #checkExpiry(): Promise<void> {
     const now = this.#clock.now();
-    for (const buckets of [this.#creations, this.#joins]) {
-      for (const [from, bucket] of buckets) if (bucket.isFull(now)) buckets.delete(from);
-    }
     // Uses are stored before the deletion, so that no class in use expires.
     for (const [id, pending] of this.#classes) {
       const found = await pending.catch(() => null);
@@ -255,4 +239,11 @@ export class ClassRegistry {
 /** The version of a lesson: equal for equal texts, at every relay. */
 export function lessonVersionOf(text: string): string {
   return hashKey(text).slice(0, VERSION_LENGTH);
+}
+
+function limitRate(limiter: KeyedRateLimiter, from: string, what: string): void {
+  const waitMs = limiter.take(from);
+  if (waitMs === 0) return;
+  const detail = `${what} from this network. Wait a moment, then try again.`;
+  throw new Refusal("too-fast", detail, { headers: retryAfter(waitMs) });
 }

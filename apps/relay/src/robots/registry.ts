@@ -29,7 +29,7 @@ import {
   type Introduction,
 } from "./access/callers.ts";
 import { Robot } from "./robot.ts";
-import { TokenBucket } from "../platform/limits/token-bucket.ts";
+import { KeyedRateLimiter } from "../platform/limits/keyed-rate-limiter.ts";
 import { noObserver, type CommandObserver } from "./delivery/command-observer.ts";
 
 const LIFE_CHECK_MS = 1_000;
@@ -76,7 +76,7 @@ export class RobotRegistry {
   readonly #bus: Bus;
   readonly #robots = new Map<string, Promise<Robot | null>>();
   /** by address; in memory only */
-  readonly #registrations = new Map<string, TokenBucket>();
+  readonly #registrations: KeyedRateLimiter;
   readonly #lives: StaggeredInterval<[id: string, found: Promise<Robot | null>]>;
   #cancelExpiry: () => void;
   #isClosing = false;
@@ -87,6 +87,7 @@ export class RobotRegistry {
     this.#store = store;
     this.#clock = clock;
     this.#timers = new CoalescedTimers(clock);
+    this.#registrations = new KeyedRateLimiter(clock, limits.registrationRate);
     this.#log = log;
     this.#observer = options.observer ?? noObserver;
     this.#bus = options.bus ?? new LocalBus();
@@ -114,10 +115,7 @@ export class RobotRegistry {
    */
   async register(from: string, origin: string): Promise<Registration> {
     if (this.#isClosing) throw restarting();
-    const now = this.#clock.now();
-    const bucket = this.#registrations.get(from) ?? new TokenBucket(limits.registrationRate, now);
-    this.#registrations.set(from, bucket);
-    const waitMs = bucket.take(now);
+    const waitMs = this.#registrations.take(from);
     if (waitMs > 0) {
       throw new Refusal(
         "too-fast",
@@ -132,7 +130,7 @@ export class RobotRegistry {
       { kind: "own", hash: hashKey(ownerKey) },
       { kind: "drive", hash: hashKey(driverKey) },
     ];
-    await this.#store.create({ id, createdAt: now, keys });
+    await this.#store.create({ id, createdAt: this.#clock.now(), keys });
     return { id, ownerKey, driverKey, address: `${origin}/r/${id}#${driverKey}` };
   }
 
@@ -259,9 +257,6 @@ export class RobotRegistry {
 
   async #checkExpiry(): Promise<void> {
     const now = this.#clock.now();
-    for (const [from, bucket] of this.#registrations) {
-      if (bucket.isFull(now)) this.#registrations.delete(from);
-    }
     await this.#noteUrgent();
     const ids = await this.#store.removeExpired({
       lastUsedAt: now - limits.robotIdleMs,

@@ -8,8 +8,8 @@ import type { Clock } from "../platform/time/clock.ts";
 import { canBeKey, hashKey, mintKey, mintLinkIds } from "../platform/keys.ts";
 import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { notAuthorised, Refusal, retryAfter } from "../platform/errors/problems.ts";
+import { KeyedRateLimiter } from "../platform/limits/keyed-rate-limiter.ts";
 import { limits } from "../platform/limits/limits.ts";
-import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import type { DocumentStore } from "../store/document-store.ts";
 import type { SharedDocument } from "./document-schema.ts";
 
@@ -22,13 +22,16 @@ export class DocumentService {
   /** for short codes; longer ids cannot be guessed */
   readonly #checks: CheckQueue;
   /** by client address; in memory only */
-  readonly #buckets = new Map<string, TokenBucket>();
+  readonly #additions: KeyedRateLimiter;
   #cancelTimer: () => void;
 
   constructor(store: DocumentStore, clock: Clock, log: Logger) {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;
+    this.#additions = new KeyedRateLimiter(clock, limits.documentRate);
+    // No limit for all networks together: documents are public, and a wrong code elsewhere must not
+    // delay a class.
     this.#checks = new CheckQueue(clock, limits.codeChecks, null);
     this.#cancelTimer = clock.after(0, () => void this.#removeUnused());
   }
@@ -39,8 +42,7 @@ export class DocumentService {
    * @param origin of the service as its users see it, such as https://host
    */
   async add(document: SharedDocument, from: string, origin: string): Promise<ShortLink> {
-    const now = this.#clock.now();
-    this.#limitRate(from, now);
+    this.#limitRate(from);
     // The schema fixes the order of fields, so equal documents serialise to equal texts.
     const text = JSON.stringify(document);
     const deleteKey = mintKey("delete");
@@ -49,7 +51,7 @@ export class DocumentService {
       hash: hashKey(text),
       text,
       keyHash: hashKey(deleteKey),
-      now,
+      now: this.#clock.now(),
     });
     return { id, address: `${origin}/m/${id}`, deleteKey };
   }
@@ -101,10 +103,8 @@ export class DocumentService {
     return found;
   }
 
-  #limitRate(from: string, now: number): void {
-    const bucket = this.#buckets.get(from) ?? new TokenBucket(limits.documentRate, now);
-    this.#buckets.set(from, bucket);
-    const waitMs = bucket.take(now);
+  #limitRate(from: string): void {
+    const waitMs = this.#additions.take(from);
     if (waitMs === 0) return;
     throw new Refusal(
       "too-fast",
@@ -114,12 +114,8 @@ export class DocumentService {
   }
 
   async #removeUnused(): Promise<void> {
-    const now = this.#clock.now();
-    for (const [from, bucket] of this.#buckets) {
-      if (bucket.isFull(now)) this.#buckets.delete(from);
-    }
     try {
-      const count = await this.#store.removeUnused(now - limits.documentIdleMs);
+      const count = await this.#store.removeUnused(this.#clock.now() - limits.documentIdleMs);
       if (count > 0) this.#log.info({ count }, "deleted unused documents");
     } catch (error) {
       this.#log.error({ err: error }, "deleting unused documents failed");

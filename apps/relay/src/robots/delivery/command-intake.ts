@@ -8,8 +8,8 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { Step } from "../../bus/bus.ts";
 import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/problems.ts";
 import type { AddResult, RobotStore, TermedRecord } from "../../store/robot-store.ts";
+import { KeyedRateLimiter } from "../../platform/limits/keyed-rate-limiter.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { TokenBucket } from "../../platform/limits/token-bucket.ts";
 import { scriptIsBlocked, type Caller } from "../access/callers.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import type { CommandDelivery } from "./command-delivery.ts";
@@ -35,7 +35,7 @@ export interface CommandIntakeParts {
 
 export class CommandIntake {
   readonly #parts: CommandIntakeParts;
-  readonly #rateLimiter = new DriverRateLimiter();
+  readonly #rateLimiter: DriverRateLimiter;
   /** seq of the newest command if that is a stop; otherwise null */
   #newestStop: number | null = null;
   /** time of the newest reset, here or at another relay */
@@ -43,6 +43,7 @@ export class CommandIntake {
 
   constructor(parts: CommandIntakeParts) {
     this.#parts = parts;
+    this.#rateLimiter = new DriverRateLimiter(parts.clock);
   }
 
   /**
@@ -61,7 +62,7 @@ export class CommandIntake {
     const { robot, store, clock, observer, work, delivery } = this.#parts;
     const arrivedAt = clock.now();
     const isStop = request.command.action === "stop";
-    const tooFast = this.#rateLimiter.take(caller.hash, isStop, arrivedAt);
+    const tooFast = this.#rateLimiter.take(caller.hash, isStop);
     if (tooFast !== null && !isStop) throw tooFast;
     await work.run(async () => {
       const end = this.#parts.end();
@@ -145,24 +146,21 @@ export class CommandIntake {
 
 /** Rate limiter by driver key. Stops have a separate bucket, so they never wait behind commands. */
 class DriverRateLimiter {
-  readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();
+  readonly #commands: KeyedRateLimiter;
+  readonly #stops: KeyedRateLimiter;
+
+  constructor(clock: Clock) {
+    this.#commands = new KeyedRateLimiter(clock, limits.commandRate);
+    this.#stops = new KeyedRateLimiter(clock, limits.stopRate);
+  }
 
   /**
    * Takes one token.
    * @param driver hash of the key
-   * @param now time of arrival, in ms
    * @returns the error response if the key exceeds its rate; otherwise null
    */
-  take(driver: string, isStop: boolean, now: number): Refusal | null {
-    let buckets = this.#buckets.get(driver);
-    if (buckets === undefined) {
-      buckets = {
-        commands: new TokenBucket(limits.commandRate, now),
-        stops: new TokenBucket(limits.stopRate, now),
-      };
-      this.#buckets.set(driver, buckets);
-    }
-    const waitMs = (isStop ? buckets.stops : buckets.commands).take(now);
+  take(driver: string, isStop: boolean): Refusal | null {
+    const waitMs = (isStop ? this.#stops : this.#commands).take(driver);
     if (waitMs === 0) return null;
     const { perSecond, burst } = isStop ? limits.stopRate : limits.commandRate;
     return new Refusal(
