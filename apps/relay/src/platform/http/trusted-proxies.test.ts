@@ -117,7 +117,7 @@ const cases: Case[] = [
     trusted: ["fd00::/8"],
     from: "fd00::1",
     for: "2001:db8::7",
-    expected: ["2001:db8::7", "http", OWN],
+    expected: ["2001:db8:0:0::/64", "http", OWN],
   },
 ];
 
@@ -132,5 +132,18 @@ describe("visitorReader", () => {
     const request = { headers, socket: { remoteAddress: from } } as unknown as IncomingMessage;
     const visitor = visitorReader(trusted)(request);
     expect([visitor.address, visitor.protocol, visitor.host]).toEqual(expected);
+  });
+
+  it.each([
+    ["2001:db8:1:2:3:4:5:6", "2001:db8:1:2::/64"],
+    ["2001:0DB8:0001:0002::1", "2001:db8:1:2::/64"],
+    ["2001:db8:1:2::", "2001:db8:1:2::/64"],
+    ["2001:db8::6", "2001:db8:0:0::/64"],
+    ["64:ff9b::1.2.3.4", "64:ff9b:0:0::/64"],
+    ["::1", "0:0:0:0::/64"],
+    ["fe80::1%eth0", "fe80:0:0:0::/64"],
+  ])("counts %s with its network, from which one client has any address", (from, network) => {
+    const request = { headers: {}, socket: { remoteAddress: from } } as unknown as IncomingMessage;
+    expect(visitorReader(0)(request).address).toBe(network);
   });
 });

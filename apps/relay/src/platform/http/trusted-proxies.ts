@@ -12,7 +12,9 @@ export type TrustedProxies = number | readonly string[];
 
 /** The client's view of a request, before any proxy. */
 export interface Visitor {
-  /** IP address, for limits only; empty if the connection is already closed */
+  /**
+   * IP address, or of IPv6 its network, for limits only; empty if the connection is already closed
+   */
   address: string;
   protocol: "http" | "https";
   /** requested host name and port; empty if unknown */
@@ -41,7 +43,7 @@ export function visitorReader(trusted: TrustedProxies): (request: IncomingMessag
   return ({ socket, headers }) => {
     const nearest = normaliseAddress(socket.remoteAddress ?? "");
     if (!isTrusted(nearest, 0)) {
-      return { address: nearest, protocol: "http", host: headers.host ?? "" };
+      return { address: limitedAddress(nearest), protocol: "http", host: headers.host ?? "" };
     }
     const chain = [nearest, ...list(headers["x-forwarded-for"]).toReversed().map(normaliseAddress)];
     let hop = 0;
@@ -50,7 +52,7 @@ export function visitorReader(trusted: TrustedProxies): (request: IncomingMessag
     const hops = Math.max(1, hop);
     const protocol = valueAtHop(hops, headers["x-forwarded-proto"])?.toLowerCase();
     return {
-      address: chain[hop] ?? nearest,
+      address: limitedAddress(chain[hop] ?? nearest),
       protocol: protocol === "https" ? "https" : "http",
       host: valueAtHop(hops, headers["x-forwarded-host"]) ?? headers.host ?? "",
     };
@@ -77,6 +79,17 @@ function byNetwork(networks: readonly string[]): Trust {
 /** Removes the IPv4-mapped prefix, which dual-stack sockets report, and the zone. */
 function normaliseAddress(address: string): string {
   return address.replace(/^::ffff:(?=\d+\.)/i, "").replace(/%.*$/, "");
+}
+
+/** An IPv4 address, or the /64 network of an IPv6 address, in which one client has any number. */
+function limitedAddress(address: string): string {
+  if (isIP(address) !== 6) return address;
+  // A URL contains the canonical form, in which no part is an IPv4 address.
+  const canonical = new URL(`http://[${address}]`).hostname.slice(1, -1);
+  const groups = (text: string) => text.split(":").filter((group) => group !== "");
+  const zeros = 8 - groups(canonical).length;
+  const all = groups(canonical.replace("::", `:${"0:".repeat(zeros)}`));
+  return `${all.slice(0, 4).join(":")}::/64`;
 }
 
 function list(header: string | string[] | undefined): string[] {
