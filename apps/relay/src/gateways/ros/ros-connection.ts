@@ -9,13 +9,13 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { RelayPort } from "../../robots/relay-port.ts";
 import { closeWith } from "../conversations/conversation.ts";
+import { UnauthenticatedMessages } from "../conversations/unauthenticated-messages.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
 import type { OpenSocket } from "../websocket/open-sockets.ts";
 import type { WsPort } from "../websocket/ws-port.ts";
 
-/** Limits until a key arrives. */
+/** Timeout for a key. */
 const AUTH_MS = 2_000;
-const MAX_WAITING = 32;
 
 export interface RosConnectionOptions {
   socket: WebSocket;
@@ -43,6 +43,7 @@ export class RosConnection implements OpenSocket {
   #session: RosSession | null = null;
   /** what arrived before the key was checked */
   #waiting: string[] = [];
+  readonly #unauthenticated = new UnauthenticatedMessages();
   #isChecking = false;
   /** whether a key in the path permits this session, and the first message may bring another key */
   #mayChangeKey = false;
@@ -90,7 +91,7 @@ export class RosConnection implements OpenSocket {
     if (key !== null) return void this.#authenticate(key);
     if (session !== null) return this.#handle(session, text);
     this.#waiting.push(text);
-    if (this.#waiting.length > MAX_WAITING) this.#closeWithoutKey();
+    if (!this.#unauthenticated.accepts(text.length)) this.#closeWithoutKey();
   }
 
   #handle(session: RosSession, text: string): void {

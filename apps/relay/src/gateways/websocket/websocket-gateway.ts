@@ -24,6 +24,7 @@ import {
 import { closeOnError } from "../conversations/close-on-error.ts";
 import type { Endpoint } from "../conversations/endpoint.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
+import { UnauthenticatedMessages } from "../conversations/unauthenticated-messages.ts";
 import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
 import { OpenSockets, type OpenSocket } from "./open-sockets.ts";
 import { SocketWithReasons } from "./socket-with-reasons.ts";
@@ -156,6 +157,7 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
     this.#clients.add(client, address);
     // Messages are processed in order, so that none overtakes the first.
     let work: Promise<void> = Promise.resolve();
+    const waiting = new UnauthenticatedMessages();
     const receive = (data: Buffer, isBinary: boolean): void => {
       // Messages still arrive while a socket closes, but responses could not be sent.
       if (!client.port.isOpen) return;
@@ -167,6 +169,12 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
           "Binary messages are not supported. Send JSON text.",
         );
       if (client.conversation !== null) return this.#handle(client, data);
+      if (!waiting.accepts(data.length))
+        return closeWith(
+          socket,
+          closeReasons.notAuthorised,
+          "Too many messages before the key was checked. Wait for the response.",
+        );
       work = work
         .then(() => this.#hello(client, data))
         .catch((error: unknown) => this.#refuse(client, error));

@@ -129,6 +129,8 @@ export const limits = {
    */
   unfinishedCommands: 128,
   unfinishedStops: 128,
+  /** messages of a socket that wait until its key is checked; clients of Corridor send 2 */
+  unauthenticatedMessages: { count: 32, bytes: 128 * 1024 },
   /** timeout for the first message of a socket */
   helloMs: 5_000,
   /**
