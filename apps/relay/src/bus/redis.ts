@@ -163,9 +163,16 @@ export class RedisBus implements Bus {
       else log.warn({ err: message.error }, "invalid message from another relay");
     };
     const channel = channelOf(robot);
+    const leave = (): void => {
+      if (this.#members.get(robot) === member) this.#members.delete(robot);
+      subscriber.unsubscribe(channel, onMessage).catch(() => undefined);
+    };
     await asked(subscriber.subscribe(channel, onMessage));
     this.#members.set(robot, member);
-    const holder = holderSchema.nullable().parse(await this.#run("holder", robot));
+    const holder = await this.#holder(robot).catch((error: unknown) => {
+      leave();
+      throw error;
+    });
     if (holder !== null && holder.relay !== relay && member.holder === null) {
       member.holder = holder;
       listener.received({ kind: "page", epoch: holder.epoch, name: holder.name });
@@ -178,10 +185,7 @@ export class RedisBus implements Bus {
       sendSnapshot: (snapshot, relays) => this.#post.post(robot, snapshot, relays),
       // Uses the same connection as the steps, which preserves the order.
       flush: () => this.#post.flush(),
-      leave: () => {
-        if (this.#members.get(robot) === member) this.#members.delete(robot);
-        subscriber.unsubscribe(channel, onMessage).catch(() => undefined);
-      },
+      leave,
     };
   }
 
@@ -311,6 +315,11 @@ export class RedisBus implements Bus {
     } else if (before !== null) {
       member.listener.received({ kind: "page-left", epoch: before.epoch, closedByPage: false });
     }
+  }
+
+  /** @returns the page that owns the robot */
+  async #holder(robot: string): Promise<Member["holder"]> {
+    return holderSchema.nullable().parse(await this.#run("holder", robot));
   }
 
   async #run(step: string, robot: string, values: unknown = {}): Promise<unknown> {

@@ -1,5 +1,6 @@
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { abandonStep } from "../../../../apps/relay/src/commands/page-transitions.ts";
+import { StoreUnavailableError } from "../../../../apps/relay/src/platform/errors/store-unavailable.ts";
 import { systemClock, type Clock } from "../../../../apps/relay/src/platform/time/clock.ts";
 import { connectRedis } from "../../../../apps/relay/src/store/redis/connection.ts";
 import { DeletedBytes } from "../../../../apps/relay/src/store/redis/deleted-bytes.ts";
@@ -7,6 +8,7 @@ import { RedisRobotStore } from "../../../../apps/relay/src/store/redis/redis-ro
 import { swallowingNet } from "../../../support/relay/swallowing-net.ts";
 import { silentLog } from "../../../../apps/relay/src/testing/test-relay.ts";
 import { hasRedis, startTestRedis } from "../../../support/relay/test-redis.ts";
+import { channelOf } from "../../../../apps/relay/src/store/redis/redis-keys.ts";
 import { RedisBus } from "../../../../apps/relay/src/bus/redis.ts";
 import { subscribe, busCases } from "../../../../apps/relay/src/bus/bus.cases.ts";
 
@@ -65,6 +67,21 @@ async function twoRelays() {
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   busCases("RedisBus", async () => [...(await twoRelays())]);
+
+  it("leaves the channel of a robot that it could not load", async () => {
+    const relay = await relayAt((await startTestRedis()).url, "relay-a");
+    const { redis } = relay;
+    const evalSha = redis.evalSha.bind(redis);
+    vi.spyOn(redis, "evalSha").mockImplementation(async (hash, options) => {
+      if (options?.arguments?.[0] === "holder") throw new Error("the connection was lost");
+      return evalSha(hash, options);
+    });
+    await expect(subscribe(relay)).rejects.toBeInstanceOf(StoreUnavailableError);
+    const channel = channelOf(ID);
+    await vi.waitFor(async () =>
+      expect(await redis.sendCommand(["PUBSUB", "NUMSUB", channel])).toEqual([channel, 0]),
+    );
+  });
 
   it("reports the page of a dead relay as disconnected within five seconds", async () => {
     const [dying, other] = await twoRelays();
