@@ -53,6 +53,7 @@ export class PairingService {
   readonly #checks: CheckQueue;
   readonly #waits: Waits;
   #cancelTimer: () => void;
+  #isClosed = false;
 
   constructor(parts: PairingServiceParts) {
     this.#parts = parts;
@@ -175,6 +176,7 @@ export class PairingService {
 
   /** Ends all waiting requests. */
   close(): void {
+    this.#isClosed = true;
     this.#cancelTimer();
     this.#checks.close();
     this.#waits.close();
@@ -209,6 +211,7 @@ export class PairingService {
     } catch (error) {
       log.error({ err: error }, "deleting expired pairing codes failed");
     }
+    if (this.#isClosed) return;
     this.#cancelTimer = clock.after(CLEANUP_MS, () => void this.#removeEnded());
   }
 }

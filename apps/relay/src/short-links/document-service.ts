@@ -24,6 +24,7 @@ export class DocumentService {
   /** by client address; in memory only */
   readonly #additions: KeyedRateLimiter;
   #cancelTimer: () => void;
+  #isClosed = false;
 
   constructor(store: DocumentStore, clock: Clock, log: Logger) {
     this.#store = store;
@@ -81,6 +82,7 @@ export class DocumentService {
   }
 
   async close(): Promise<void> {
+    this.#isClosed = true;
     this.#cancelTimer();
     this.#checks.close();
     await this.#store.close();
@@ -120,6 +122,7 @@ export class DocumentService {
     } catch (error) {
       this.#log.error({ err: error }, "deleting unused documents failed");
     }
+    if (this.#isClosed) return;
     this.#cancelTimer = this.#clock.after(CLEANUP_MS, () => void this.#removeUnused());
   }
 }
