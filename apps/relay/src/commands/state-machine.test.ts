@@ -238,6 +238,16 @@ describe("delivery", () => {
     ]);
     expect(robot.isWindowFull(2)).toBe(true);
   });
+
+  it("fills the window behind a command that replaces", () => {
+    const robot = robotWith([
+      rowOf({ seq: 1, replace: true }),
+      rowOf({ seq: 2 }),
+      rowOf({ seq: 3 }),
+    ]);
+    const due = machine.deliver(robot, { epoch: EPOCH, window: 2, now: NOW });
+    expect(due.map(({ record }) => record.seq)).toEqual([1, 2, 3]);
+  });
 });
 
 describe("a page that acquires the robot", () => {

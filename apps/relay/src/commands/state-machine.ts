@@ -100,8 +100,8 @@ export function deliver(
   let at = 0;
   for (const row of robot.open) {
     if (row.state !== "accepted" || isLate(row, now)) continue;
-    if (at < free || row.overtakes !== null) due.push(row);
-    at += 1;
+    if (row.overtakes !== null) due.push(row);
+    else if (at++ < free) due.push(row);
   }
   return due.map((row) => termedOfRow(robot.change(row, { state: "delivered", epoch })));
 }
