@@ -102,17 +102,17 @@ const messages: {
   },
   {
     name: "an entity bomb",
-    change: (message) => message.replace("\n", ENTITIES).replace("40", "&b;"),
+    change: (message) => message.replace("\n", ENTITIES).replace(">40<", ">&b;<"),
     says: "found a document type",
   },
   {
     name: "an external entity",
-    change: (message) => message.replace("\n", EXTERNAL).replace("40", "&f;"),
+    change: (message) => message.replace("\n", EXTERNAL).replace(">40<", ">&f;<"),
     says: "found a document type",
   },
   {
     name: "an undefined entity",
-    change: (message) => message.replace("40", "&nbsp;"),
+    change: (message) => message.replace(">40<", ">&nbsp;<"),
     says: "line 2 > Envelope > Body > Command > distance: found text that is not XML (undefined entity.)",
   },
   {
@@ -122,7 +122,7 @@ const messages: {
   },
   {
     name: "a control character",
-    change: (message) => message.replace("40", "\u0001"),
+    change: (message) => message.replace(">40<", ">\u0001<"),
     says: "disallowed character",
   },
   {
