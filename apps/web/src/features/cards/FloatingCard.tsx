@@ -2,8 +2,8 @@
  * A card beside the robot, with a tail that points at it. A `good` card stands away from the robot,
  * so that the whole trail stays visible.
  * While it is open, the card keeps its place and follows the layout and size of the stage. On
- * phones, and wherever it would cover the robot or the end of its trail, it moves into the sheet or
- * the panel.
+ * phones, and wherever it would cover the robot or the end of its trail, or would be cut off, it
+ * moves into the sheet or the panel.
  */
 import { CELL } from "@corridor/maze";
 import { X } from "lucide";
@@ -60,7 +60,7 @@ export function FloatingCard(props: FloatingCardProps) {
   const isSmall = useMediaQuery(SMALL);
   const card = useRef<HTMLElement>(null);
   const [place, setPlace] = useState<CardPlace | null>(null);
-  /** the layout in which every place would cover the robot or the end of its trail */
+  /** the layout in which every place would cover the robot or its trail's end, or cut the card off */
   const [tooFull, setTooFull] = useState<typeof layout>(null);
   const isDocked = dock !== null && (isSmall || (layout !== null && tooFull === layout));
   const [half, setHalf] = useState<"upper" | "lower">("upper");
@@ -126,7 +126,8 @@ export function FloatingCard(props: FloatingCardProps) {
           : placeCardAway([inMaze, area, stage], robot, shapes, seen);
       if (next === null) return;
       const covered = { ...next.shape, x: next.x, y: next.y };
-      if (next.coversRobot || trailEnds.some((end) => overlap(covered, end) > 0)) {
+      const coversTrail = trailEnds.some((end) => overlap(covered, end) > 0);
+      if (next.coversRobot || next.isCut || coversTrail) {
         setTooFull(layout);
         return;
       }

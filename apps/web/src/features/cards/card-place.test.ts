@@ -137,9 +137,11 @@ describe("placeCard", () => {
     expect(placeCard([area], robotAt(200, 20), card, [])).toMatchObject({ y: 56, tail: "top" });
   });
 
-  it("starts at the edge of a stage that is smaller than the card", () => {
+  it("starts at the edge of a stage that is smaller than the card, which is cut off there", () => {
     const small = { x: 0, y: 0, width: 300, height: 200 };
-    expect(placeCard([small], robotAt(150, 100), card, [])).toMatchObject({ x: 8, y: 8 });
+    const cut = { x: 8, y: 8, isCut: true };
+    expect(placeCard([small], robotAt(150, 100), card, [])).toMatchObject(cut);
+    expect(placeCard([small, area], robotAt(150, 100), card, []).isCut).toBe(false);
   });
 });
 

@@ -20,6 +20,8 @@ export interface CardPlace<Shape extends Size = Size> {
   covered: number;
   /** whether the card covers a part of the robot */
   coversRobot: boolean;
+  /** whether the card is larger than every area, so that its end is out of sight */
+  isCut: boolean;
 }
 
 interface Size {
@@ -128,7 +130,7 @@ function leastCovering<Shape extends Size>(
         const covered = coveredBy({ ...spot, ...shape }, robot, keepClear);
         if (inArea === null || isBetter(spot, covered, inArea)) {
           const coversRobot = overlap({ ...spot, ...shape }, robot) > 0;
-          inArea = { ...spot, shape, covered, coversRobot };
+          inArea = { ...spot, shape, covered, coversRobot, isCut: !someFits };
         }
       }
     }
