@@ -69,6 +69,7 @@ async function showsWhyGoalIsMissed(corridor: CorridorPage): Promise<void> {
 
 async function removesMarks(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;
+  // The same maze is open from the step before.
   await open(corridor, "final.map", SAMPLE);
   await corridor.messages.getByRole("button", { name: "Show why" }).click();
   await expect(marksOf(page)).toHaveCount(3);
@@ -145,8 +146,8 @@ test("opens, checks and saves the maze files of contests", async ({ corridor }) 
     reportsBrokenFiles,
   );
   await step("names the rules that a maze breaks, and no path", namesBrokenRules);
-  await step("removes the marks with an edit, another maze, and a dismissed message", removesMarks);
   await step("shows why a wall follower misses the goal, by keyboard", showsWhyGoalIsMissed);
+  await step("removes the marks with an edit, another maze, and a dismissed message", removesMarks);
   await step(
     "opens a binary file by its content, and saves the maze in every format",
     opensAndSavesFormats,

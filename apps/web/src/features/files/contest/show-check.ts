@@ -32,9 +32,10 @@ export async function showCheck(
             label: words.t("contest:show"),
             run: () => {
               const now = services.workspace.getState().maze;
-              // An edit can change the answer.
-              if (now.blocks !== maze.blocks) void showCheck(services, words, now);
-              else showMiss(services, words, { maze, ...miss });
+              // An edit can change the answer. A file that is opened again has equal blocks.
+              const isEdited = now.blocks.join() !== maze.blocks.join();
+              if (isEdited) void showCheck(services, words, now);
+              else showMiss(services, words, { maze: now, ...miss });
             },
           },
   });
