@@ -104,11 +104,11 @@ describe("the line of a program and a task", () => {
     expect(message).toBe("4 lines, at most 3 are allowed");
   });
 
-  it("has no number of lines for a manual drive, which the task can forbid", () => {
+  it("has no number of lines for a drive, which the task can forbid", () => {
     const drive = [{ tick: 0, command: { action: "forward" as const } }];
     const { row, message } = lineOf(given, drive);
     expect(row).toMatchObject({ passed: false, code: "driver", lines: null });
-    expect(message).toBe("the task does not allow a manual drive");
+    expect(message).toBe("the task allows only a program");
     const manual: LessonTask = {
       ...given,
       goal: { kind: "drive", distance: 100 },

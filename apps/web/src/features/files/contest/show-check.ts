@@ -2,7 +2,7 @@
  * Shows whether an opened contest maze can be solved, the rules that it breaks, and why a wall
  * follower cannot solve it. Loaded with the first contest maze.
  */
-import { checkContest, contestMazeOf, type MazeDocument } from "@corridor/maze";
+import { checkContest, contestMazeOf, isSameLayout, type MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import { showMessage } from "../../../model/screen/screen-store.ts";
 import type { Services } from "../../../model/services.ts";
@@ -33,7 +33,7 @@ export async function showCheck(
             run: () => {
               const now = services.workspace.getState().maze;
               // An edit can change the answer. A file that is opened again has equal blocks.
-              const isEdited = now.blocks.join() !== maze.blocks.join();
+              const isEdited = !isSameLayout(now, maze);
               if (isEdited) void showCheck(services, words, now);
               else showMiss(services, words, { maze: now, ...miss });
             },
