@@ -56,7 +56,8 @@ function refuseDefaults(contest: ContestMaze): ReturnType<typeof refuse> | null 
   const centre = contestGoals(contest).map(({ column, row }) => `${column}, ${row}`);
   if (found.size !== centre.length || !centre.every((cell) => found.has(cell))) {
     const expected = `the cells in the centre, column and row ${centre.join("; ")}`;
-    return refuse("goals", "goals", `${found.size} cells`, expected);
+    const count = `${found.size} ${found.size === 1 ? "cell" : "cells"}`;
+    return refuse("goals", "goals", count, expected);
   }
   return null;
 }
