@@ -4,7 +4,7 @@ export {
   type CommandJournal,
   type HostLinkOptions,
   type HostStatus,
-} from "./host-link.ts";
+} from "./host-connection.ts";
 export { globalPlatform } from "./platform.ts";
 export { registerRobot, RegistrationError } from "./register-robot.ts";
 export { Backoff } from "./backoff.ts";

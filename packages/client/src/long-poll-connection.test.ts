@@ -4,7 +4,7 @@ import type { HttpRequest } from "./platform.ts";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 import { ADDRESS } from "./testing/messages.ts";
-import { WatchLink } from "./watch-link.ts";
+import { WatchLink } from "./watch-connection.ts";
 
 const turn = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
 

@@ -14,7 +14,7 @@ import { clientParts } from "./client-parts.ts";
 import { isWatchKey, watchLinkError } from "./close-error.ts";
 import { wrongOptions, type CommandName } from "./command-options.ts";
 import type { Until } from "./command-queue.ts";
-import { DriverLink } from "./driver-link.ts";
+import { DriverLink } from "./driver-connection.ts";
 import type { RobotEvent } from "./event-inbox.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform } from "./platform.ts";

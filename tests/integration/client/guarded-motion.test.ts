@@ -1,7 +1,7 @@
 /** Guarded motions between a script and a host, with a real relay. */
 import type { DeliveredCommand, RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { HostLink } from "../../../packages/client/src/host-link.ts";
+import { HostLink } from "../../../packages/client/src/host-connection.ts";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { snapshotOf } from "../../../packages/protocol/src/testing/index.ts";

@@ -7,7 +7,7 @@ import {
 } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { openPort } from "../../../packages/client/src/client-port.ts";
-import { HostLink } from "../../../packages/client/src/host-link.ts";
+import { HostLink } from "../../../packages/client/src/host-connection.ts";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import {

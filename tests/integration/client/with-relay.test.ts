@@ -3,7 +3,7 @@ import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { HostLink } from "../../../packages/client/src/host-link.ts";
+import { HostLink } from "../../../packages/client/src/host-connection.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";

@@ -5,7 +5,7 @@ import type {
   Registration,
   Snapshot,
 } from "@corridor/protocol";
-import { HostLink, type HostStatus } from "../../../packages/client/src/host-link.ts";
+import { HostLink, type HostStatus } from "../../../packages/client/src/host-connection.ts";
 
 /** x and y by quarter turns clockwise from north */
 const STEPS = [

@@ -2,7 +2,7 @@
 import type { DeliveredCommand, Marks, Registration } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { MazeRobot } from "../../../packages/agent/src/testing/maze-robot.ts";
-import { HostLink } from "../../../packages/client/src/host-link.ts";
+import { HostLink } from "../../../packages/client/src/host-connection.ts";
 
 export class MazeHost {
   readonly robot: MazeRobot;

@@ -4,7 +4,7 @@ import { limits } from "../platform/limits/limits.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ClassRow } from "../store/class-store.ts";
 import { CreditedFeed } from "./credited-feed.ts";
-import type { MemberLink } from "./member-link.ts";
+import type { MemberLink } from "./member-connection.ts";
 
 export type DisplayContent = Extract<TeacherToRelay, { type: "display" }>["content"];
 

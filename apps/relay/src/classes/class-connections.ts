@@ -22,7 +22,7 @@ import { BigScreens, type DisplayContent, type ScreenMember } from "./big-screen
 import { ClassEvents } from "./class-events.ts";
 import { nameOf, settingsOf, type ClassState } from "./class-state.ts";
 import { CreditedFeed } from "./credited-feed.ts";
-import type { MemberLink } from "./member-link.ts";
+import type { MemberLink } from "./member-connection.ts";
 import { OtherRelays } from "./other-relays.ts";
 import { requireCaller, type StudentCaller } from "./student-steps.ts";
 import { requireStudent } from "./teacher-steps.ts";

@@ -8,7 +8,7 @@ import type { ClassStore } from "../store/class-store.ts";
 import { tile } from "../testing/class-at-relay.ts";
 import { silentLog } from "../testing/test-relay.ts";
 import type { ClassVerb } from "./access.ts";
-import type { LeaveReason } from "./member-link.ts";
+import type { LeaveReason } from "./member-connection.ts";
 import { ClassRegistry } from "./registry.ts";
 import { lockStep, pauseStep, removeStep } from "./teacher-steps.ts";
 

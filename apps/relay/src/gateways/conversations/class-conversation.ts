@@ -17,7 +17,7 @@ import {
 } from "@corridor/protocol";
 import type { Member } from "../../classes/access.ts";
 import type { LiveClass } from "../../classes/live-class.ts";
-import type { LeaveReason, MemberLink } from "../../classes/member-link.ts";
+import type { LeaveReason, MemberLink } from "../../classes/member-connection.ts";
 import type { ClassGrant } from "../../classes/registry.ts";
 import { helpStep, programStep, progressStep, renameStep } from "../../classes/student-steps.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";

@@ -80,7 +80,7 @@ const evaluation = new RunEvaluation({
 });
 
 const relay = new Lazy(async () => {
-  const { RelayLink } = await import("./relay-link.ts");
+  const { RelayLink } = await import("./relay-connection.ts");
   return new RelayLink({
     run: loadedRun(),
     now,

@@ -2,7 +2,7 @@
 import { classViewSchema, closeReasons } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { ClassAtRelay } from "../../../apps/relay/src/testing/class-at-relay.ts";
-import { LearnLink } from "../../../packages/client/src/learn-link.ts";
+import { LearnLink } from "../../../packages/client/src/student-connection.ts";
 import type { FilterMode } from "../../support/client/filter-proxy.ts";
 import { startFilterProxy } from "../../support/client/start-filter-proxy.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";

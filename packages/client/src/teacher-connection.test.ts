@@ -1,6 +1,6 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { TeachLink } from "./teach-link.ts";
+import { TeachLink } from "./teacher-connection.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 
 const ID = "A".repeat(22);

@@ -1,7 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { AliveDriver, CommandState, DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { HostLink, type HostLinkOptions, type HostStatus } from "./host-link.ts";
+import { HostLink, type HostLinkOptions, type HostStatus } from "./host-connection.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 import { record } from "./testing/messages.ts";
 

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { ShowLink } from "./show-link.ts";
+import { ShowLink } from "./screen-connection.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 
 const KEY = `scr_${"A".repeat(22)}`;

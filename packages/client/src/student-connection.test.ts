@@ -1,6 +1,6 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { LearnLink } from "./learn-link.ts";
+import { LearnLink } from "./student-connection.ts";
 import type { HttpRequest } from "./platform.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 

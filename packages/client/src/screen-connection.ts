@@ -4,7 +4,7 @@ import {
   type RelayToScreen,
   type ScreenToRelay,
 } from "@corridor/protocol";
-import { ClassLink, type ClassLinkOptions } from "./class-link.ts";
+import { ClassLink, type ClassLinkOptions } from "./class-connection.ts";
 
 /** The fields around the content. */
 const ENVELOPE = 1_024;

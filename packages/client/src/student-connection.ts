@@ -1,5 +1,5 @@
 import { relayToStudentSchema, type RelayToStudent, type StudentToRelay } from "@corridor/protocol";
-import { ClassLink, type ClassLinkOptions } from "./class-link.ts";
+import { ClassLink, type ClassLinkOptions } from "./class-connection.ts";
 
 /** A message for the student. */
 export type ClassMessage = Exclude<RelayToStudent, { type: "heartbeat" }>;

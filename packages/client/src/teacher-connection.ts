@@ -4,7 +4,7 @@ import {
   type RelayToTeacher,
   type TeacherToRelay,
 } from "@corridor/protocol";
-import { ClassLink, type ClassLinkOptions } from "./class-link.ts";
+import { ClassLink, type ClassLinkOptions } from "./class-connection.ts";
 
 /** A batch has the tiles of up to 200 students, each of at most 1 KiB. */
 const MAX_BATCH_LENGTH = 512 * 1_024;

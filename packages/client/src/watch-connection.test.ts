@@ -3,7 +3,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import type { HttpRequest } from "./platform.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { WatchLink } from "./watch-link.ts";
+import { WatchLink } from "./watch-connection.ts";
 
 const ID = "A".repeat(22);
 const KEY = `wch_${"A".repeat(22)}`;
