@@ -132,12 +132,18 @@ test("the npm package contains the built files, drives as in its README, and has
     await folder.write(
       "drive.mts",
       `${script}
-import { HostLink } from "@corridor/client/host";
-import { LearnLink } from "@corridor/client/learn";
-import { ShowLink } from "@corridor/client/show";
-import { TeachLink } from "@corridor/client/teach";
-import { WatchLink } from "@corridor/client/watch";
-export const links = [HostLink, LearnLink, ShowLink, TeachLink, WatchLink];
+import { HostConnection } from "@corridor/client/host";
+import { StudentConnection } from "@corridor/client/learn";
+import { ScreenConnection } from "@corridor/client/show";
+import { TeacherConnection } from "@corridor/client/teach";
+import { WatchConnection } from "@corridor/client/watch";
+export const connections = [
+  HostConnection,
+  StudentConnection,
+  ScreenConnection,
+  TeacherConnection,
+  WatchConnection,
+];
 // @ts-expect-error: a move needs a distance in cm
 await robot?.move("far");
 `,

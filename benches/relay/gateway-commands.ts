@@ -163,6 +163,6 @@ async function withHost(
     await MazeHost.publish(origin, registration, maze);
     return await measure(`${origin}/r/${registration.id}#${registration.driverKey}`);
   } finally {
-    host.link.close();
+    host.connection.close();
   }
 }

@@ -1,5 +1,5 @@
 /** A student of a class as a script: the messages that the page of a student would send. */
-import { LearnLink, type ClassMessage } from "@corridor/client/learn";
+import { StudentConnection, type ClassMessage } from "@corridor/client/learn";
 import { joinedClassSchema, type JoinedClass, type Progress, type Tile } from "@corridor/protocol";
 
 const start: Omit<Tile, "seq"> = {
@@ -17,7 +17,7 @@ const start: Omit<Tile, "seq"> = {
 export class ScriptedStudent {
   readonly joined: JoinedClass;
   readonly received: ClassMessage[] = [];
-  readonly #link: LearnLink;
+  readonly #connection: StudentConnection;
   #tile: Tile = { seq: 0, ...start };
   #progress = 0;
   #programs = 0;
@@ -40,7 +40,7 @@ export class ScriptedStudent {
     this.joined = joined;
     const connection = Promise.withResolvers<void>();
     this.#connected = connection.promise;
-    this.#link = new LearnLink({
+    this.#connection = new StudentConnection({
       origin: relay,
       id: joined.class,
       key: joined.key,
@@ -59,23 +59,23 @@ export class ScriptedStudent {
   /** Sends a tile with these changes. */
   show(change: Partial<Omit<Tile, "seq">>): void {
     this.#tile = { ...this.#tile, ...change, seq: this.#tile.seq + 1 };
-    this.#link.send({ type: "tile", tile: this.#tile });
+    this.#connection.send({ type: "tile", tile: this.#tile });
   }
 
   /** Reports progress. The relay accepts 10 records at once, and then one in 2 s. */
   report(event: Progress): void {
     this.#progress += 1;
-    this.#link.send({ type: "progress", seq: this.#progress, event });
+    this.#connection.send({ type: "progress", seq: this.#progress, event });
   }
 
   /** Stores the link text of a program. */
   write(link: string, task = 1): void {
     this.#programs += 1;
-    this.#link.send({ type: "program", seq: this.#programs, task, link });
+    this.#connection.send({ type: "program", seq: this.#programs, task, link });
   }
 
   askForHelp(wanted = true): void {
-    this.#link.send({ type: "help", wanted });
+    this.#connection.send({ type: "help", wanted });
   }
 
   /** Reports a run that bumped, of a changed program. */
@@ -87,6 +87,6 @@ export class ScriptedStudent {
   }
 
   close(): void {
-    this.#link.close();
+    this.#connection.close();
   }
 }

@@ -1,5 +1,5 @@
 /** A student of a class whose robot drives without end. */
-import { LearnLink } from "@corridor/client/learn";
+import { StudentConnection } from "@corridor/client/learn";
 import { joinedClassSchema, type JoinedClass } from "@corridor/protocol";
 import type { DrivenRobot } from "./driven-robot.ts";
 
@@ -7,7 +7,7 @@ import type { DrivenRobot } from "./driven-robot.ts";
 const LESSON = "0123456ab";
 
 export class RobotStudent {
-  readonly #link: LearnLink;
+  readonly #connection: StudentConnection;
   readonly #connected: Promise<void>;
   readonly #robot: DrivenRobot;
 
@@ -15,7 +15,7 @@ export class RobotStudent {
     this.#robot = robot;
     const connection = Promise.withResolvers<void>();
     this.#connected = connection.promise;
-    this.#link = new LearnLink({
+    this.#connection = new StudentConnection({
       origin: relay,
       id: joined.class,
       key: joined.key,
@@ -38,13 +38,13 @@ export class RobotStudent {
     const student = new RobotStudent(relay, joined, robot);
     await student.#connected;
     const event = { kind: "opened", lesson: LESSON, task: 1 } as const;
-    student.#link.send({ type: "progress", seq: 1, event });
+    student.#connection.send({ type: "progress", seq: 1, event });
     return student;
   }
 
   /** Drives on, and sends a tile if one is due. */
   drive(ms: number): void {
     const tile = this.#robot.drive(ms);
-    if (tile !== null) this.#link.send({ type: "tile", tile });
+    if (tile !== null) this.#connection.send({ type: "tile", tile });
   }
 }

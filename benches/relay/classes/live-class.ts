@@ -1,5 +1,5 @@
 /** A class at the relay with its students and a dashboard, as the pages connect to it. */
-import { LearnLink } from "@corridor/client/learn";
+import { StudentConnection } from "@corridor/client/learn";
 import type { CreatedClass, JoinedClass } from "@corridor/protocol";
 import { globalPlatform, type Platform } from "../../../packages/client/src/platform.ts";
 import { sampleLesson } from "../../../apps/web/src/model/lessons/testing/sample-lesson.ts";
@@ -30,7 +30,7 @@ export class LiveClass {
   readonly #address: ClassAddress;
   readonly #created: CreatedClass;
   readonly #students: TextSocket[] = [];
-  readonly #longPollStudents: LearnLink[] = [];
+  readonly #longPollStudents: StudentConnection[] = [];
   #dashboard: TextSocket | null = null;
 
   private constructor(address: ClassAddress, created: CreatedClass) {
@@ -61,7 +61,7 @@ export class LiveClass {
   async joinByLongPoll(onPause: (isPaused: boolean) => void): Promise<void> {
     const { class: id, key } = await this.#becomeStudent();
     const connected = Promise.withResolvers<void>();
-    const link = new LearnLink({
+    const connection = new StudentConnection({
       origin: `http://127.0.0.1:${this.#address.port}`,
       id,
       key,
@@ -73,7 +73,7 @@ export class LiveClass {
       },
       platform: withoutWebSocket,
     });
-    this.#longPollStudents.push(link);
+    this.#longPollStudents.push(connection);
     await connected.promise;
   }
 

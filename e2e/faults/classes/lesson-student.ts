@@ -2,7 +2,7 @@
  * A student of a class as the service sees it: joins with the code, connects, and reports numbered
  * progress and programs until the relay confirms them.
  */
-import { LearnLink, type ClassMessage } from "@corridor/client/learn";
+import { StudentConnection, type ClassMessage } from "@corridor/client/learn";
 import {
   joinedClassSchema,
   type JoinedClass,
@@ -21,7 +21,7 @@ const JOIN_RETRY_MS = 200;
 
 export class LessonStudent {
   readonly joined: JoinedClass;
-  readonly #link: LearnLink;
+  readonly #connection: StudentConnection;
   readonly #timers: NodeJS.Timeout[];
   /** progress records in order; the number of a record is its index + 1 */
   readonly sent: Progress[] = [];
@@ -47,7 +47,7 @@ export class LessonStudent {
 
   private constructor(joined: JoinedClass, origin: string, transports: Transports) {
     this.joined = joined;
-    this.#link = new LearnLink({
+    this.#connection = new StudentConnection({
       origin,
       id: joined.class,
       key: joined.key,
@@ -64,7 +64,7 @@ export class LessonStudent {
   }
 
   get isConnected(): boolean {
-    return this.#link.isConnected;
+    return this.#connection.isConnected;
   }
 
   get isConfirmed(): boolean {
@@ -82,7 +82,7 @@ export class LessonStudent {
 
   close(): void {
     for (const timer of this.#timers) clearInterval(timer);
-    this.#link.close();
+    this.#connection.close();
   }
 
   #receive(message: ClassMessage): void {
@@ -130,7 +130,7 @@ export class LessonStudent {
   }
 
   #send(message: StudentToRelay): void {
-    if (this.#link.isConnected) this.#link.send(message);
+    if (this.#connection.isConnected) this.#connection.send(message);
   }
 }
 

@@ -15,7 +15,7 @@ import { Connection, type ConnectionStatus } from "./connection.ts";
 import { connectionUrls } from "./connection-urls.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
 
-export interface ClassLinkOptions<Message> {
+export interface ClassConnectionOptions<Message> {
   /** of the service, such as https://robots.example.org */
   origin: string;
   /** of the class */
@@ -33,7 +33,7 @@ export interface ClassLinkOptions<Message> {
 type FromRelay = RelayToStudent | RelayToTeacher | RelayToScreen;
 
 /** What differs between the kinds of members. */
-interface ClassLinkRole<In extends FromRelay> {
+interface ClassConnectionRole<In extends FromRelay> {
   role: ClassHello["role"];
   schema: Parameters<typeof decodeFrame<In>>[0];
   /** in UTF-16 code units; default: the largest message of a robot */
@@ -43,7 +43,7 @@ interface ClassLinkRole<In extends FromRelay> {
 }
 
 /** A member's connection to a class. It can run in a worker. */
-export class ClassLink<
+export class ClassConnection<
   In extends FromRelay,
   Out extends StudentToRelay | TeacherToRelay | ScreenToRelay,
 > {
@@ -51,8 +51,8 @@ export class ClassLink<
 
   /** Connects at once. */
   constructor(
-    options: ClassLinkOptions<Exclude<In, { type: "heartbeat" }>>,
-    { role, schema, maxLength = MAX_FRAME_BYTES, since = () => null }: ClassLinkRole<In>,
+    options: ClassConnectionOptions<Exclude<In, { type: "heartbeat" }>>,
+    { role, schema, maxLength = MAX_FRAME_BYTES, since = () => null }: ClassConnectionRole<In>,
   ) {
     const { origin, id, key, onMessage, onStatus, platform = globalPlatform() } = options;
     this.#connection = new Connection<In>({

@@ -26,7 +26,7 @@ import type { Platform } from "./platform.ts";
 import { RobotObstacle } from "./robot-obstacle.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
-export interface DriverLinkOptions {
+export interface DriverConnectionOptions {
   platform: Platform;
   /** timeout for responses of the relay in ms, including reconnects */
   responseMs: number;
@@ -40,7 +40,7 @@ export interface DriverLinkOptions {
  * A script's connection to a robot: what the script has received, and its commands that have not
  * ended. After `close` it cannot be opened again.
  */
-export class DriverLink implements ClientParts {
+export class DriverConnection implements ClientParts {
   readonly api: ApiOptions;
   readonly snapshots: SnapshotInbox;
   readonly observers = new Set<ClientObserver>();
@@ -60,7 +60,10 @@ export class DriverLink implements ClientParts {
   #since: string | null = null;
   #end: ClientError | null = null;
 
-  constructor(robot: RobotAddress, { platform, responseMs, finishMs, name }: DriverLinkOptions) {
+  constructor(
+    robot: RobotAddress,
+    { platform, responseMs, finishMs, name }: DriverConnectionOptions,
+  ) {
     const { origin, id, key } = robot;
     this.#robot = robot;
     this.#name = name === undefined ? {} : { name };

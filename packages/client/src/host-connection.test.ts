@@ -1,7 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { AliveDriver, CommandState, DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { HostLink, type HostLinkOptions, type HostStatus } from "./host-connection.ts";
+import { HostConnection, type HostConnectionOptions, type HostStatus } from "./host-connection.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 import { record } from "./testing/messages.ts";
 
@@ -23,7 +23,7 @@ const recordOf = (seq: number, state: CommandState) =>
   record(seq, "key-0001", { action: "left 90" }, { state });
 
 function host(
-  start: Partial<Pick<HostLinkOptions, "lastApplied" | "fresh" | "endings" | "save">> = {},
+  start: Partial<Pick<HostConnectionOptions, "lastApplied" | "fresh" | "endings" | "save">> = {},
 ) {
   const platform = new FakePlatform();
   const commands: number[] = [];
@@ -32,7 +32,7 @@ function host(
   const calls: string[] = [];
   const delivered: DeliveredCommand[] = [];
   const alive: AliveDriver[] = [];
-  const link = new HostLink({
+  const connection = new HostConnection({
     origin: "http://localhost:8080",
     credentials: { id: "AAAAAAAAAAAAAAAAAAAAAA", ownerKey: "own_CCCCCCCCCCCCCCCCCCCCCC" },
     lastApplied: 0,
@@ -45,7 +45,7 @@ function host(
     },
     onStop: (stop) => {
       stops.push(stop);
-      for (const seq of commands) link.ended(seq, { ...done, state: "cancelled" });
+      for (const seq of commands) connection.ended(seq, { ...done, state: "cancelled" });
     },
     onCancel: (seq) => calls.push(`cancel ${seq}`),
     onGiveBack: () => calls.push("give back"),
@@ -66,12 +66,23 @@ function host(
     platform.pass(10_000);
     welcome(epoch);
   };
-  return { platform, link, commands, stops, statuses, calls, delivered, alive, welcome, reconnect };
+  return {
+    platform,
+    connection,
+    commands,
+    stops,
+    statuses,
+    calls,
+    delivered,
+    alive,
+    welcome,
+    reconnect,
+  };
 }
 
-describe("HostLink", () => {
+describe("HostConnection", () => {
   it("sends its key and its progress first", () => {
-    const { platform, link, welcome, statuses } = host({ lastApplied: 7, fresh: true });
+    const { platform, connection, welcome, statuses } = host({ lastApplied: 7, fresh: true });
     welcome();
     expect(platform.socket.sent).toEqual([
       { type: "hello", version: 1, role: "own", key: "own_CCCCCCCCCCCCCCCCCCCCCC" },
@@ -84,16 +95,16 @@ describe("HostLink", () => {
         snapshot: snapshotOf(),
       },
     ]);
-    expect(link.isConnected).toBe(true);
+    expect(connection.isConnected).toBe(true);
     expect(statuses.map(({ kind }) => kind)).toEqual(["connecting", "connected"]);
   });
 
   it("sends a snapshot before an ending, so that readers have fresh sensor values", () => {
-    const { platform, link, welcome } = host();
+    const { platform, connection, welcome } = host();
     welcome(3);
     platform.socket.receive(command(1));
-    link.started(1);
-    link.ended(1, done);
+    connection.started(1);
+    connection.ended(1, done);
     expect(platform.socket.sent.slice(2).map(({ type, epoch }) => [type, epoch])).toEqual([
       ["started", 3],
       ["snapshot", 3],
@@ -102,14 +113,14 @@ describe("HostLink", () => {
   });
 
   it("sends endings again after reconnects until they are stored", () => {
-    const { platform, link, calls, welcome, reconnect } = host();
+    const { platform, connection, calls, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.receive(command(2));
-    link.started(1);
-    link.ended(1, done);
+    connection.started(1);
+    connection.ended(1, done);
     platform.socket.cut(1006);
-    link.started(2);
+    connection.started(2);
     platform.pass(10_000);
     welcome(2);
     expect(platform.socket.sent[1]).toEqual({
@@ -138,10 +149,10 @@ describe("HostLink", () => {
   });
 
   it("releases the robot to another page: starts nothing, and first reports what it had started", () => {
-    const { platform, link, commands, calls, welcome, reconnect } = host();
+    const { platform, connection, commands, calls, welcome, reconnect } = host();
     welcome(3);
     for (const seq of [1, 2]) platform.socket.receive(command(seq));
-    link.started(1);
+    connection.started(1);
     calls.length = 0;
     platform.socket.receive({ type: "yield" });
     platform.socket.receive(command(3));
@@ -158,12 +169,12 @@ describe("HostLink", () => {
   });
 
   it("never passes on a started command again, and repeats its reports", () => {
-    const { platform, link, commands, welcome, reconnect } = host();
+    const { platform, connection, commands, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
-    link.started(1);
-    link.ended(1, done);
-    link.started(2);
+    connection.started(1);
+    connection.ended(1, done);
+    connection.started(2);
     reconnect(2);
     for (const seq of [1, 2, 3, 4]) platform.socket.receive(command(seq));
     expect(commands).toEqual([1, 2, 3, 3, 4]);
@@ -175,36 +186,36 @@ describe("HostLink", () => {
   });
 
   it("reconnects at once on request, and still passes on each command once", () => {
-    const { platform, link, commands, statuses, welcome } = host();
+    const { platform, connection, commands, statuses, welcome } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
-    link.started(1);
+    connection.started(1);
     platform.socket.cut(1006);
-    link.open();
-    link.open();
+    connection.open();
+    connection.open();
     expect(platform.sockets).toHaveLength(2);
     expect(statuses.map(({ kind }) => kind).slice(-2)).toEqual(["lost", "connecting"]);
     welcome(2);
     for (const seq of [2, 3, 4]) platform.socket.receive(command(seq));
-    link.open();
-    // Neither the interrupted delay nor `open` on a connected link opens another connection.
+    connection.open();
+    // Neither the interrupted delay nor `open` while connected opens another one.
     platform.pass(5_000);
     expect(platform.sockets).toHaveLength(2);
-    expect(link.isConnected).toBe(true);
+    expect(connection.isConnected).toBe(true);
     expect(commands).toEqual([1, 2, 3, 2, 3, 4]);
   });
 
   it("sends endings from while it was closed once it is opened again", () => {
-    const { platform, link, commands, welcome } = host();
+    const { platform, connection, commands, welcome } = host();
     welcome();
     for (const seq of [1, 2]) platform.socket.receive(command(seq));
-    link.started(1);
+    connection.started(1);
     platform.socket.cut(1006);
-    for (const seq of [1, 2]) link.ended(seq, { ...done, state: "cancelled" });
-    link.close();
+    for (const seq of [1, 2]) connection.ended(seq, { ...done, state: "cancelled" });
+    connection.close();
     platform.pass(60_000);
     expect(platform.sockets).toHaveLength(1);
-    link.open();
+    connection.open();
     welcome(2);
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
     expect(platform.socket.sent[1]).toMatchObject({
@@ -219,10 +230,10 @@ describe("HostLink", () => {
   });
 
   it("returns unstarted commands on each reconnect, before it reports its progress", () => {
-    const { platform, link, calls, welcome, reconnect } = host();
+    const { platform, connection, calls, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
-    link.started(1);
+    connection.started(1);
     expect(calls).toEqual(["give back"]);
     reconnect(2);
     expect(calls).toEqual(["give back", "give back"]);
@@ -230,32 +241,32 @@ describe("HostLink", () => {
   });
 
   it("reports only the ending of a command that ended early, and never accepts it again", () => {
-    const { platform, link, commands, welcome, reconnect } = host();
+    const { platform, connection, commands, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
-    link.started(1);
-    link.ended(3, { ...done, state: "expired" });
-    expect(link.lastApplied).toBe(1);
+    connection.started(1);
+    connection.ended(3, { ...done, state: "expired" });
+    expect(connection.lastApplied).toBe(1);
     reconnect(2);
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 1, endings: [{ seq: 3 }] });
     platform.socket.receive({ type: "stored", seq: 3 });
     platform.socket.receive(command(2));
     platform.socket.receive(command(3));
-    link.started(2);
+    connection.started(2);
     expect(commands).toEqual([1, 2, 3, 2]);
-    expect(link.lastApplied).toBe(2);
+    expect(connection.lastApplied).toBe(2);
     platform.socket.receive(command(4));
-    link.started(4);
-    expect(link.lastApplied).toBe(4);
+    connection.started(4);
+    expect(connection.lastApplied).toBe(4);
   });
 
   it("passes on cancellations, waiting commands, and endings that were too late", () => {
-    const { platform, link, calls, welcome, reconnect } = host();
+    const { platform, connection, calls, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.receive({ type: "cancel", seq: 1, cause: "sender" });
     platform.socket.receive({ type: "state", record: recordOf(2, "expired"), ttl: 400 });
-    link.ended(1, done);
+    connection.ended(1, done);
     platform.socket.receive({ type: "refused", record: recordOf(1, "cancelled") });
     expect(calls.slice(1)).toEqual(["cancel 1", "2 expired within 400", "1 was cancelled"]);
     reconnect(2);
@@ -316,10 +327,10 @@ describe("HostLink", () => {
   });
 
   it("uses the new epoch as soon as it reports `connected`", () => {
-    const { platform, link, statuses, welcome, reconnect } = host();
+    const { platform, connection, statuses, welcome, reconnect } = host();
     const push = statuses.push.bind(statuses);
     statuses.push = (status) => {
-      if (status.kind === "connected") link.sendSnapshot(snapshotOf());
+      if (status.kind === "connected") connection.sendSnapshot(snapshotOf());
       return push(status);
     };
     welcome(1);
@@ -329,14 +340,14 @@ describe("HostLink", () => {
   });
 
   it("sends endings from between `hello` and welcome", () => {
-    const { platform, link, welcome } = host();
+    const { platform, connection, welcome } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.cut(1006);
     platform.pass(10_000);
     platform.socket.open();
-    link.started(1);
-    link.ended(1, done);
+    connection.started(1);
+    connection.ended(1, done);
     expect(platform.socket.sent).toHaveLength(2);
     platform.socket.receive({ type: "welcome", version: 1, epoch: 2, at: 0 });
     expect(platform.socket.sent.slice(-2)).toMatchObject([
@@ -346,7 +357,7 @@ describe("HostLink", () => {
   });
 
   it("ends a stop itself, after all other commands", () => {
-    const { platform, link, stops, welcome } = host();
+    const { platform, connection, stops, welcome } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.receive({ ...command(2), type: "stop", command: { action: "stop" } });
@@ -356,7 +367,7 @@ describe("HostLink", () => {
       [1, "cancelled"],
       [2, "completed"],
     ]);
-    expect(link.lastApplied).toBe(2);
+    expect(connection.lastApplied).toBe(2);
   });
 
   it.each([
@@ -365,11 +376,11 @@ describe("HostLink", () => {
     { code: 4410, kind: "over" },
     { code: 4401, kind: "over" },
   ])("gives up for good after close code $code", ({ code, kind }) => {
-    const { platform, link, statuses, welcome } = host();
+    const { platform, connection, statuses, welcome } = host();
     welcome();
     platform.socket.cut(code);
     platform.pass(60_000);
-    link.open();
+    connection.open();
     expect(platform.sockets).toHaveLength(1);
     expect(statuses.at(-1)).toMatchObject({ kind, reason: { code } });
   });
@@ -441,16 +452,16 @@ function savingHost() {
   return { ...page, sent, saved };
 }
 
-describe("HostLink with a stored world", () => {
+describe("HostConnection with a stored world", () => {
   it("sends an ending once its world is stored, and later messages after it", async () => {
-    const { platform, link, sent, saved } = savingHost();
+    const { platform, connection, sent, saved } = savingHost();
     platform.socket.receive(command(1));
     platform.socket.receive(command(2));
-    link.started(1);
-    link.ended(1, done);
-    link.started(2);
+    connection.started(1);
+    connection.ended(1, done);
+    connection.started(2);
     expect(sent()).toMatchObject([{ type: "started", seq: 1 }]);
-    expect(link.journal).toEqual({ lastApplied: 2, endings: [{ seq: 1, ...done }] });
+    expect(connection.journal).toEqual({ lastApplied: 2, endings: [{ seq: 1, ...done }] });
     await saved();
     expect(sent().slice(1)).toMatchObject([
       { type: "ended", seq: 1 },
@@ -459,10 +470,10 @@ describe("HostLink with a stored world", () => {
   });
 
   it("does not report an ending that is not stored when it reconnects", async () => {
-    const { platform, link, reconnect, saved, sent } = savingHost();
+    const { platform, connection, reconnect, saved, sent } = savingHost();
     platform.socket.receive(command(1));
-    link.started(1);
-    link.ended(1, done);
+    connection.started(1);
+    connection.ended(1, done);
     reconnect(2);
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 1, endings: [] });
     expect(sent()).toEqual([]);
@@ -471,56 +482,56 @@ describe("HostLink with a stored world", () => {
   });
 
   it("closes, and releases the robot, after earlier endings", async () => {
-    const { platform, link, saved, sent } = savingHost();
+    const { platform, connection, saved, sent } = savingHost();
     platform.socket.receive(command(1));
-    link.started(1);
+    connection.started(1);
     platform.socket.receive({ type: "yield" });
-    link.ended(1, { ...done, state: "cancelled" });
-    link.close();
+    connection.ended(1, { ...done, state: "cancelled" });
+    connection.close();
     expect(platform.socket.isClosed).toBe(false);
-    expect(link.isConnected).toBe(false);
+    expect(connection.isConnected).toBe(false);
     await saved();
     expect(sent().map(({ type }) => type)).toContain("ended");
     expect(platform.socket.isClosed).toBe(true);
   });
 
   it("reconnects if it is opened again before these are stored: it has ignored messages", async () => {
-    const { platform, link, commands, welcome, saved, sent } = savingHost();
+    const { platform, connection, commands, welcome, saved, sent } = savingHost();
     platform.socket.receive(command(1));
-    link.started(1);
-    link.ended(1, done);
-    link.close();
+    connection.started(1);
+    connection.ended(1, done);
+    connection.close();
     platform.socket.receive(command(2));
-    link.open();
+    connection.open();
     expect(platform.sockets.map(({ isClosed }) => isClosed)).toEqual([true, false]);
     welcome(2);
     platform.socket.receive(command(2));
     await saved();
     expect(sent().at(-1)).toMatchObject({ type: "ended", seq: 1, epoch: 2 });
     expect(commands).toEqual([1, 2]);
-    expect(link.isConnected).toBe(true);
+    expect(connection.isConnected).toBe(true);
   });
 
   it("disconnects permanently when another page has claimed the world", async () => {
-    const { platform, link, statuses, saved, sent } = savingHost();
+    const { platform, connection, statuses, saved, sent } = savingHost();
     platform.socket.receive(command(1));
-    link.started(1);
-    link.ended(1, done);
-    link.worldClaimed();
+    connection.started(1);
+    connection.ended(1, done);
+    connection.worldClaimed();
     await saved();
     expect(sent()).toMatchObject([{ type: "started" }]);
     expect(platform.socket.isClosed).toBe(true);
     expect(statuses.at(-1)?.kind).toBe("replaced");
-    link.open();
+    connection.open();
     expect(platform.sockets).toHaveLength(1);
   });
 
   it("sends the endings of the restored world until the relay has stored them", () => {
     const endings = [{ seq: 6, ...done }];
-    const { platform, link, welcome } = host({ lastApplied: 7, fresh: true, endings });
+    const { platform, connection, welcome } = host({ lastApplied: 7, fresh: true, endings });
     welcome();
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 7, fresh: true, endings });
     platform.socket.receive({ type: "stored", seq: 6 });
-    expect(link.journal).toEqual({ lastApplied: 7, endings: [] });
+    expect(connection.journal).toEqual({ lastApplied: 7, endings: [] });
   });
 });

@@ -31,7 +31,7 @@ const MAX_BUFFERED_BYTES = 64 * 1024;
 export type HostStatus =
   | { kind: "connecting" }
   | { kind: "connected" }
-  /** the link reconnects automatically after `retryMs` */
+  /** the connection reconnects automatically after `retryMs` */
   | { kind: "lost"; reason: CloseReason; retryMs: number }
   /** the robot was deleted: register it again */
   | { kind: "over"; reason: CloseReason }
@@ -45,7 +45,7 @@ export interface CommandJournal {
   endings: Ending[];
 }
 
-export interface HostLinkOptions {
+export interface HostConnectionOptions {
   /** of the service, such as https://robots.example.org */
   origin: string;
   credentials: { id: string; ownerKey: string };
@@ -54,9 +54,9 @@ export interface HostLinkOptions {
   /** endings in the restored world that the relay may not have stored; default: none */
   endings?: readonly Ending[];
   /**
-   * Stores the world together with `journal`. The link sends an ending once this resolves: either
-   * the world is stored, or no reload restores it. If another page has claimed the world, call
-   * `worldClaimed` first.
+   * Stores the world together with `journal`. The connection sends an ending once this resolves:
+   * either the world is stored, or no reload restores it. If another page has claimed the world,
+   * call `worldClaimed` first.
    */
   save?(): Promise<void>;
   /** true if the page was reloaded, so that its started commands no longer run */
@@ -67,7 +67,7 @@ export interface HostLinkOptions {
   snapshot(): Snapshot | null;
   /** A new command. Commands arrive in order of their seq; start them in that order. */
   onCommand(command: DeliveredCommand): void;
-  /** Call `ended` for all received commands before this returns. The link ends the stop itself. */
+  /** Call `ended` for all received commands before this returns. It ends the stop itself. */
   onStop(stop: DeliveredCommand): void;
   /** A command is to be cancelled: call `ended` for it, unless it has ended already. */
   onCancel(seq: number, cause: RecallCause): void;
@@ -108,10 +108,10 @@ export interface HostLinkOptions {
  * - It never passes on a started command again, even if the relay repeats it.
  * - It returns unstarted commands to the relay on each reconnect, because the relay may have ended them.
  *
- * This also holds across `close` and `open`, so a session needs only one link.
+ * This also holds across `close` and `open`, so a session needs one object only.
  */
-export class HostLink {
-  readonly #options: HostLinkOptions;
+export class HostConnection {
+  readonly #options: HostConnectionOptions;
   readonly #connection: Connection<RelayToPage>;
   /** endings that the relay has not confirmed as stored, by seq, oldest first */
   readonly #endings = new Map<number, Ending>();
@@ -135,7 +135,7 @@ export class HostLink {
   readonly #applied: AppliedCommands;
 
   /** Connects at once. */
-  constructor(options: HostLinkOptions) {
+  constructor(options: HostConnectionOptions) {
     this.#options = options;
     this.#fresh = options.fresh;
     this.#applied = new AppliedCommands(options.lastApplied);
@@ -203,7 +203,7 @@ export class HostLink {
 
   /**
    * Reconnects after `close`, or at once instead of waiting for the next attempt. Does nothing
-   * while the link is open or opening, or after it has ended.
+   * while the connection is open or opening, or after it has ended.
    */
   open(): void {
     if (this.#isReplaced) return;
@@ -215,7 +215,7 @@ export class HostLink {
 
   /**
    * Disconnects until `open`, after all pending endings were sent. The relay reports the robot as
-   * gone and retains waiting commands. The link stores endings until it reconnects.
+   * gone and retains waiting commands. The connection stores endings until it reconnects.
    */
   close(): void {
     this.#isClosing = true;

@@ -1,8 +1,8 @@
 /** Entry "@corridor/client/host": for the page that owns a robot. */
 export {
-  HostLink,
+  HostConnection,
   type CommandJournal,
-  type HostLinkOptions,
+  type HostConnectionOptions,
   type HostStatus,
 } from "./host-connection.ts";
 export { globalPlatform } from "./platform.ts";

@@ -4,7 +4,7 @@ import type { HttpRequest } from "./platform.ts";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 import { ADDRESS } from "./testing/messages.ts";
-import { WatchLink } from "./watch-connection.ts";
+import { WatchConnection } from "./watch-connection.ts";
 
 const turn = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
 
@@ -182,7 +182,7 @@ it.each([
 
 it("a connection that is opened again during a delay fetches soon", async () => {
   const platform = new LongPollNetwork();
-  const link = new WatchLink({
+  const connection = new WatchConnection({
     origin: "https://robots.example.org",
     id: "k3J9x2aB",
     key: "wch_0123456789abcdefghijkl",
@@ -191,7 +191,7 @@ it("a connection that is opened again during a delay fetches soon", async () => 
     onStatus: () => undefined,
     platform,
   });
-  onTestFinished(() => link.close());
+  onTestFinished(() => connection.close());
   platform.socket.cut(1006);
   await platform.passInTurns(100);
   platform.luck = 0.999;
@@ -200,7 +200,7 @@ it("a connection that is opened again during a delay fetches soon", async () => 
   await platform.passInTurns(1_000);
   platform.fetched = null;
   const before = platform.fetchedAt.length;
-  link.open();
+  connection.open();
   await platform.passInTurns(300);
   expect(platform.fetchedAt).toHaveLength(before + 1);
 });

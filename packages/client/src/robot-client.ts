@@ -14,7 +14,7 @@ import { clientParts } from "./client-parts.ts";
 import { isWatchKey, watchLinkError } from "./close-error.ts";
 import { wrongOptions, type CommandName } from "./command-options.ts";
 import type { Until } from "./command-queue.ts";
-import { DriverLink } from "./driver-connection.ts";
+import { DriverConnection } from "./driver-connection.ts";
 import type { RobotEvent } from "./event-inbox.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform } from "./platform.ts";
@@ -48,7 +48,7 @@ export class RobotClient {
   /** the whole address with its key, to connect again. Keep it private */
   readonly address: string;
   readonly #robot: RobotAddress;
-  readonly #link: DriverLink;
+  readonly #connection: DriverConnection;
   readonly #defaults: CommandOptions;
 
   private constructor(address: string, options: RobotClientOptions) {
@@ -56,13 +56,13 @@ export class RobotClient {
     const { origin, id, key } = this.#robot;
     this.address = `${origin}/r/${id}#${key}`;
     this.#defaults = options.ttl === undefined ? {} : { ttl: options.ttl };
-    this.#link = new DriverLink(this.#robot, {
+    this.#connection = new DriverConnection(this.#robot, {
       platform: options.platform ?? globalPlatform(),
       responseMs: options.answerTimeout ?? DEFAULT_RESPONSE_MS,
       finishMs: options.finishTimeout ?? DEFAULT_FINISH_MS,
       name: options.name?.slice(0, MAX_SENT_NAME),
     });
-    clientParts.set(this, this.#link);
+    clientParts.set(this, this.#connection);
   }
 
   /**
@@ -75,7 +75,7 @@ export class RobotClient {
   static connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
     return withCallSite(RobotClient, "connect", async () => {
       const robot = new RobotClient(address, options);
-      await robot.#link.open();
+      await robot.#connection.open();
       return robot;
     });
   }
@@ -238,7 +238,7 @@ export class RobotClient {
    */
   sensors(): Promise<SensorReadings> {
     return withCallSite(this, "sensors", async () => {
-      return (await this.#link.snapshots.next(this.#link.api.timeoutMs)).sensors;
+      return (await this.#connection.snapshots.next(this.#connection.api.timeoutMs)).sensors;
     });
   }
 
@@ -249,7 +249,7 @@ export class RobotClient {
    */
   snapshot(): Promise<Snapshot> {
     return withCallSite(this, "snapshot", () =>
-      this.#link.snapshots.next(this.#link.api.timeoutMs),
+      this.#connection.snapshots.next(this.#connection.api.timeoutMs),
     );
   }
 
@@ -261,7 +261,7 @@ export class RobotClient {
   async *snapshots(): AsyncGenerator<Snapshot, void, void> {
     let read: Snapshot | null = null;
     for (;;) {
-      read = await this.#link.snapshots.changedFrom(read);
+      read = await this.#connection.snapshots.changedFrom(read);
       if (read === null) return;
       yield read;
     }
@@ -272,7 +272,7 @@ export class RobotClient {
    * @returns events in order; a slow reader gets the newest snapshot, and every state of a command
    */
   events(): AsyncGenerator<RobotEvent, void, void> {
-    return this.#link.events();
+    return this.#connection.events();
   }
 
   /**
@@ -282,9 +282,9 @@ export class RobotClient {
    */
   maze(): Promise<RobotMaze> {
     return withCallSite(this, "maze", async () => {
-      const end = this.#link.end();
+      const end = this.#connection.end();
       if (end !== null) throw end;
-      return readMaze(this.#link.api);
+      return readMaze(this.#connection.api);
     });
   }
 
@@ -293,7 +293,7 @@ export class RobotClient {
    * the commands that it has received; endless motions stop within 3 s.
    */
   close(): void {
-    this.#link.close(
+    this.#connection.close(
       new ClientError("closed", "The client was closed", "Connect again to continue."),
     );
   }
@@ -331,9 +331,9 @@ export class RobotClient {
       const hint = `Fix: ${checked.problems.map(describeProblem).join("; ")}.`;
       return Promise.reject(new ClientError("bad-command", "Invalid command", hint));
     }
-    const end = this.#link.end();
+    const end = this.#connection.end();
     if (end !== null) return Promise.reject(end);
     if (isWatchKey(this.#robot.key)) return Promise.reject(watchLinkError());
-    return this.#link.command(order, until);
+    return this.#connection.command(order, until);
   }
 }

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { ShowLink } from "./screen-connection.ts";
+import { ScreenConnection } from "./screen-connection.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 
 const KEY = `scr_${"A".repeat(22)}`;
@@ -7,7 +7,7 @@ const KEY = `scr_${"A".repeat(22)}`;
 it("a big screen receives large content, and acknowledges it", () => {
   const platform = new FakePlatform();
   const log: unknown[] = [];
-  const link = new ShowLink({
+  const connection = new ScreenConnection({
     origin: "https://host",
     id: "A".repeat(22),
     key: KEY,
@@ -25,5 +25,5 @@ it("a big screen receives large content, and acknowledges it", () => {
     { type: "hello", version: 1, role: "show", key: KEY },
     { type: "seen", seq: 3 },
   ]);
-  expect(link.isConnected).toBe(true);
+  expect(connection.isConnected).toBe(true);
 });

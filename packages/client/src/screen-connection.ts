@@ -4,7 +4,7 @@ import {
   type RelayToScreen,
   type ScreenToRelay,
 } from "@corridor/protocol";
-import { ClassLink, type ClassLinkOptions } from "./class-connection.ts";
+import { ClassConnection, type ClassConnectionOptions } from "./class-connection.ts";
 
 /** The fields around the content. */
 const ENVELOPE = 1_024;
@@ -13,12 +13,12 @@ const ENVELOPE = 1_024;
 export type ScreenMessage = Exclude<RelayToScreen, { type: "heartbeat" }>;
 
 /** `key` is the key of a big screen. */
-export type ShowLinkOptions = ClassLinkOptions<ScreenMessage>;
+export type ScreenConnectionOptions = ClassConnectionOptions<ScreenMessage>;
 
 /** The connection of a big screen to a class. It can run in a worker. */
-export class ShowLink extends ClassLink<RelayToScreen, ScreenToRelay> {
+export class ScreenConnection extends ClassConnection<RelayToScreen, ScreenToRelay> {
   /** Connects at once. */
-  constructor(options: ShowLinkOptions) {
+  constructor(options: ScreenConnectionOptions) {
     const { onMessage } = options;
     const acknowledge = (message: ScreenMessage): void => {
       if (message.type === "display") super.send({ type: "seen", seq: message.seq });

@@ -1,6 +1,6 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { LearnLink } from "./student-connection.ts";
+import { StudentConnection } from "./student-connection.ts";
 import type { HttpRequest } from "./platform.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 
@@ -24,7 +24,7 @@ const welcomeMessage = {
 /** A student, and a relay whose responses the test controls. */
 function learning(platform: FakePlatform = new FakePlatform()) {
   const log: string[] = [];
-  const link = new LearnLink({
+  const connection = new StudentConnection({
     origin: "https://host",
     id: ID,
     key: KEY,
@@ -37,18 +37,18 @@ function learning(platform: FakePlatform = new FakePlatform()) {
     platform.socket.open();
     platform.socket.receive(welcomeMessage);
   };
-  return { platform, log, link, welcome };
+  return { platform, log, connection, welcome };
 }
 
 describe("a student in a class", () => {
   it("sends its role and key to the class, and receives the welcome first", () => {
-    const { platform, log, link, welcome } = learning();
-    expect(link.isConnected).toBe(false);
+    const { platform, log, connection, welcome } = learning();
+    expect(connection.isConnected).toBe(false);
     welcome();
     expect(platform.socket.url).toBe(`wss://host/api/v1/classes/${ID}/socket`);
     expect(platform.socket.sent).toEqual([hello]);
     expect(log).toEqual(["connecting", "welcome", "connected"]);
-    expect(link.isConnected).toBe(true);
+    expect(connection.isConnected).toBe(true);
   });
 
   it("receives what the teacher does, and no heartbeats or unknown messages", () => {
@@ -62,19 +62,19 @@ describe("a student in a class", () => {
   });
 
   it("asks for help while it is connected", () => {
-    const { platform, link, welcome } = learning();
-    link.send({ type: "help", wanted: false });
+    const { platform, connection, welcome } = learning();
+    connection.send({ type: "help", wanted: false });
     welcome();
-    link.send({ type: "help", wanted: true });
+    connection.send({ type: "help", wanted: true });
     expect(platform.socket.sent).toEqual([hello, { type: "help", wanted: true }]);
   });
 
   it("reconnects after a lost network, at once if asked to", () => {
-    const { platform, log, link, welcome } = learning();
+    const { platform, log, connection, welcome } = learning();
     welcome();
     platform.socket.cut(1006);
     expect(log.at(-1)).toBe("lost 1006");
-    link.open();
+    connection.open();
     welcome();
     expect(platform.sockets).toHaveLength(2);
     expect(log.slice(-3)).toEqual(["connecting", "welcome", "connected"]);
@@ -86,10 +86,10 @@ describe("a student in a class", () => {
     { why: "another tab took over", code: closeReasons.replaced.code },
     { why: "the class has ended", code: closeReasons.over.code },
   ])("ends permanently when $why", ({ code }) => {
-    const { platform, log, link, welcome } = learning();
+    const { platform, log, connection, welcome } = learning();
     welcome();
     platform.socket.cut(code);
-    link.open();
+    connection.open();
     platform.pass(60_000);
     expect(log.at(-1)).toBe(`over ${code}`);
     expect(platform.sockets).toHaveLength(1);
@@ -112,9 +112,9 @@ describe("a student in a class", () => {
   });
 
   it("closes without a status", () => {
-    const { platform, log, link, welcome } = learning();
+    const { platform, log, connection, welcome } = learning();
     welcome();
-    link.close();
+    connection.close();
     platform.pass(60_000);
     expect(log.at(-1)).toBe("connected");
     expect(platform.socket.isClosed).toBe(true);

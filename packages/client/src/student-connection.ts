@@ -1,16 +1,16 @@
 import { relayToStudentSchema, type RelayToStudent, type StudentToRelay } from "@corridor/protocol";
-import { ClassLink, type ClassLinkOptions } from "./class-connection.ts";
+import { ClassConnection, type ClassConnectionOptions } from "./class-connection.ts";
 
 /** A message for the student. */
 export type ClassMessage = Exclude<RelayToStudent, { type: "heartbeat" }>;
 
 /** `key` is a student's key. */
-export type LearnLinkOptions = ClassLinkOptions<ClassMessage>;
+export type StudentConnectionOptions = ClassConnectionOptions<ClassMessage>;
 
 /** A student's connection to a class. It can run in a worker. */
-export class LearnLink extends ClassLink<RelayToStudent, StudentToRelay> {
+export class StudentConnection extends ClassConnection<RelayToStudent, StudentToRelay> {
   /** Connects at once. */
-  constructor(options: LearnLinkOptions) {
+  constructor(options: StudentConnectionOptions) {
     super(options, { role: "learn", schema: relayToStudentSchema });
   }
 }

@@ -1,6 +1,6 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { TeachLink } from "./teacher-connection.ts";
+import { TeacherConnection } from "./teacher-connection.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
 
 const ID = "A".repeat(22);
@@ -30,7 +30,7 @@ const tile = {
 function teaching(since: string | null = null) {
   const platform = new FakePlatform();
   const log: string[] = [];
-  const link = new TeachLink({
+  const connection = new TeacherConnection({
     origin: "https://host",
     id: ID,
     key: KEY,
@@ -43,7 +43,7 @@ function teaching(since: string | null = null) {
     platform.socket.open();
     platform.socket.receive({ type: "welcome", version: 1, stream: STREAM, n, settings });
   };
-  return { platform, log, link, welcome };
+  return { platform, log, connection, welcome };
 }
 
 describe("a dashboard", () => {
@@ -57,18 +57,18 @@ describe("a dashboard", () => {
   });
 
   it("asks only for the events that it missed while the network was lost", () => {
-    const { platform, log, link, welcome } = teaching();
+    const { platform, log, connection, welcome } = teaching();
     welcome(4);
     expect(platform.socket.sent[0]).not.toHaveProperty("since");
     platform.socket.receive({ type: "removed", n: 5, student: 1 });
     platform.socket.cut(1006);
-    link.open();
+    connection.open();
     welcome(null);
     expect(platform.socket.sent).toMatchObject([{ since: `${STREAM}-5` }]);
     platform.socket.receive({ type: "gap", n: 9 });
     expect(log.at(-1)).toBe("gap");
     platform.socket.cut(1006);
-    link.open();
+    connection.open();
     welcome(9);
     expect(platform.socket.sent).toMatchObject([{ since: `${STREAM}-9` }]);
   });
@@ -87,10 +87,10 @@ describe("a dashboard", () => {
   });
 
   it("ends permanently when the class has ended", () => {
-    const { platform, log, link, welcome } = teaching();
+    const { platform, log, connection, welcome } = teaching();
     welcome(0);
     platform.socket.cut(closeReasons.over.code);
-    link.open();
+    connection.open();
     platform.pass(60_000);
     expect(log.at(-1)).toBe("over");
     expect(platform.sockets).toHaveLength(1);

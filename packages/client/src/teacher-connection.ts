@@ -4,7 +4,7 @@ import {
   type RelayToTeacher,
   type TeacherToRelay,
 } from "@corridor/protocol";
-import { ClassLink, type ClassLinkOptions } from "./class-connection.ts";
+import { ClassConnection, type ClassConnectionOptions } from "./class-connection.ts";
 
 /** A batch has the tiles of up to 200 students, each of at most 1 KiB. */
 const MAX_BATCH_LENGTH = 512 * 1_024;
@@ -12,7 +12,7 @@ const MAX_BATCH_LENGTH = 512 * 1_024;
 /** A message for the dashboard. */
 export type TeacherMessage = Exclude<RelayToTeacher, { type: "heartbeat" }>;
 
-export interface TeachLinkOptions extends ClassLinkOptions<TeacherMessage> {
+export interface TeacherConnectionOptions extends ClassConnectionOptions<TeacherMessage> {
   /** `since` of the class that the dashboard has read: it receives the events after it */
   since: string | null;
 }
@@ -21,9 +21,9 @@ export interface TeachLinkOptions extends ClassLinkOptions<TeacherMessage> {
  * A teacher's connection to a class. It can run in a worker. After a lost connection it receives the
  * events that it missed, or a `gap`: then read the class again.
  */
-export class TeachLink extends ClassLink<RelayToTeacher, TeacherToRelay> {
+export class TeacherConnection extends ClassConnection<RelayToTeacher, TeacherToRelay> {
   /** Connects at once. `key` is a teacher's key. */
-  constructor(options: TeachLinkOptions) {
+  constructor(options: TeacherConnectionOptions) {
     let { since } = options;
     let stream = "";
     const follow = (message: TeacherMessage): void => {

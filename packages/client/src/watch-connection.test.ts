@@ -3,7 +3,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import type { HttpRequest } from "./platform.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { WatchLink } from "./watch-connection.ts";
+import { WatchConnection } from "./watch-connection.ts";
 
 const ID = "A".repeat(22);
 const KEY = `wch_${"A".repeat(22)}`;
@@ -25,7 +25,7 @@ function watching() {
     });
     return { response: promise, cancel: () => log.push("cancelled") };
   };
-  const link = new WatchLink({
+  const connection = new WatchConnection({
     origin: "https://host",
     id: ID,
     key: KEY,
@@ -39,7 +39,7 @@ function watching() {
     const start = { stream: "AAAAAAAA", n: 0, snapshot: snapshotOf({ seq: 7 }) };
     platform.socket.receive({ type: "welcome", version: 1, ...start });
   };
-  return { platform, requests, respond, log, link, welcome };
+  return { platform, requests, respond, log, connection, welcome };
 }
 
 describe("a viewer", () => {
@@ -115,12 +115,12 @@ describe("a viewer", () => {
   });
 
   it("closes without a status, and opens again", () => {
-    const { platform, log, link, welcome } = watching();
+    const { platform, log, connection, welcome } = watching();
     welcome();
-    link.close();
+    connection.close();
     platform.pass(60_000);
     expect(log.slice(-2)).toEqual(["connected", "cancelled"]);
-    link.open();
+    connection.open();
     expect(platform.sockets).toHaveLength(2);
   });
 });

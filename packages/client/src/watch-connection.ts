@@ -25,7 +25,7 @@ export type WatchStatus =
   /** the key or the robot is gone */
   | { kind: "over"; reason: CloseReason };
 
-export interface WatchLinkOptions {
+export interface WatchConnectionOptions {
   /** of the service, such as https://robots.example.org */
   origin: string;
   id: string;
@@ -46,8 +46,8 @@ export interface WatchLinkOptions {
 /**
  * A viewer's connection: receives the snapshots and the maze of a robot. It can run in a worker.
  */
-export class WatchLink {
-  readonly #options: WatchLinkOptions;
+export class WatchConnection {
+  readonly #options: WatchConnectionOptions;
   readonly #platform: Omit<Platform, "uniqueText">;
   readonly #connection: Connection<RelayToDriver>;
   readonly #acknowledgements = new DelayedAcknowledgements();
@@ -55,7 +55,7 @@ export class WatchLink {
   #cancelMaze: () => void = () => undefined;
 
   /** Connects at once. */
-  constructor(options: WatchLinkOptions) {
+  constructor(options: WatchConnectionOptions) {
     const { origin, id, key, platform = globalPlatform() } = options;
     this.#options = options;
     this.#platform = platform;

@@ -1,2 +1,2 @@
 /** Entry "@corridor/client/watch": for the page of viewers. */
-export { WatchLink, type WatchStatus } from "./watch-connection.ts";
+export { WatchConnection, type WatchStatus } from "./watch-connection.ts";

@@ -17,7 +17,7 @@ describe.skipIf(findRedis() === null)("a cluster of relays", () => {
     cluster.sendTo(first);
     const registration = await registerRobot(cluster.origin, fetch);
     const robot = new GridRobot(cluster.origin, registration, CORRIDOR);
-    onTestFinished(() => robot.link.close());
+    onTestFinished(() => robot.connection.close());
     const connections = (): number => robot.statuses.filter((kind) => kind === "connected").length;
     const isReconnected = async (times: number): Promise<void> =>
       vi.waitFor(() => expect(connections()).toBe(times), RECONNECT);

@@ -23,10 +23,10 @@ async function reportingRobot(): Promise<string> {
   const relay = await sharedRelay();
   const registration = await registerRobot(relay.url, fetch);
   const robot = new GridRobot(relay.url, registration, ["###", "#.#", "###"]);
-  const timer = setInterval(() => robot.link.sendSnapshot(robot.snapshot()), 1_000 / 30);
+  const timer = setInterval(() => robot.connection.sendSnapshot(robot.snapshot()), 1_000 / 30);
   onTestFinished(() => {
     clearInterval(timer);
-    robot.link.close();
+    robot.connection.close();
   });
   return registration.address;
 }

@@ -147,7 +147,7 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
       await expect.poll(() => robot.visited.size, { timeout: 40_000 }).toBeGreaterThan(3);
       await relay.killAndRestart();
       // After a slow start of the relay, the next attempt may come later than a command expires.
-      robot.link.open();
+      robot.connection.open();
       const { stdout } = await program;
       expect(stdout).toMatch(new RegExp(`${cells} cells visited after \\d+ moves\\.\\n$`));
       expect(robot.visited.size).toBe(robot.openCells);

@@ -21,7 +21,7 @@ async function behind(
   const proxy = await startFilterProxy(relay.url, mode);
   const registration = await registerRobot(proxy.origin, fetch);
   const robot = new GridRobot(proxy.origin, registration, CORRIDOR);
-  onTestFinished(() => robot.link.close());
+  onTestFinished(() => robot.connection.close());
   const address = `${proxy.origin}/r/${registration.id}#${registration.driverKey}`;
   // A busy machine needs more than the default of 10 s to restart a relay.
   const options = { ttl: 60_000, ...(platform !== undefined && { platform }) };

@@ -1,7 +1,7 @@
 /** Guarded motions between a script and a host, with a real relay. */
 import type { DeliveredCommand, RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { HostLink } from "../../../packages/client/src/host-connection.ts";
+import { HostConnection } from "../../../packages/client/src/host-connection.ts";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { snapshotOf } from "../../../packages/protocol/src/testing/index.ts";
@@ -17,7 +17,7 @@ async function host() {
   const relay = await sharedRelay();
   const registration = await registerRobot(relay.url, fetch);
   const delivered: DeliveredCommand[] = [];
-  const link: HostLink = new HostLink({
+  const connection: HostConnection = new HostConnection({
     origin: relay.url,
     credentials: registration,
     lastApplied: 0,
@@ -25,7 +25,7 @@ async function host() {
     snapshot: () => snapshotOf(),
     onCommand: (command) => {
       delivered.push(command);
-      link.started(command.seq);
+      connection.started(command.seq);
     },
     onStop: () => undefined,
     onCancel: () => undefined,
@@ -34,14 +34,14 @@ async function host() {
     onState: () => undefined,
     onRefused: () => undefined,
     onStatus: ({ kind }) => {
-      if (kind === "connected") link.sendSnapshot(snapshotOf());
+      if (kind === "connected") connection.sendSnapshot(snapshotOf());
     },
     onDrivers: () => undefined,
   });
-  onTestFinished(() => link.close());
+  onTestFinished(() => connection.close());
   const end = (seq: number): void => {
     const pose = { x: 150, y: 150, heading: 90 };
-    link.ended(seq, { state: "completed", reason: null, pose, distance: 90.5 });
+    connection.ended(seq, { state: "completed", reason: null, pose, distance: 90.5 });
   };
   const post = async (command: RemoteCommand | object, key = "key-0001") => {
     const url = `${relay.url}/api/v1/robots/${registration.id}/commands`;

@@ -15,7 +15,7 @@ it("drives through the network's proxy if Node is configured to use it", async (
   const relay = await startRelayProcess();
   const registration = await registerRobot(relay.url, fetch);
   const robot = new GridRobot(relay.url, registration, CORRIDOR);
-  onTestFinished(() => robot.link.close());
+  onTestFinished(() => robot.connection.close());
   const proxy = await startForwardProxy(relay.url);
   const { pathname, hash } = new URL(registration.address);
   const args = [SCRIPT, `${proxy.service}${pathname}${hash}`, "--until-cells", "3"];

@@ -7,7 +7,7 @@ import {
 } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { openPort } from "../../../packages/client/src/client-port.ts";
-import { HostLink } from "../../../packages/client/src/host-connection.ts";
+import { HostConnection } from "../../../packages/client/src/host-connection.ts";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import {
@@ -41,9 +41,14 @@ async function pageAt(origin: string, credentials: Registration): Promise<PortPa
   const connected = Promise.withResolvers<void>();
   const ended = (seq: number, state: EndingState): void => {
     running.delete(seq);
-    link.ended(seq, { state, reason: null, pose: { x: 150, y: 150, heading: 90 }, distance: 50 });
+    connection.ended(seq, {
+      state,
+      reason: null,
+      pose: { x: 150, y: 150, heading: 90 },
+      distance: 50,
+    });
   };
-  const link: HostLink = new HostLink({
+  const connection: HostConnection = new HostConnection({
     origin,
     credentials,
     lastApplied: 0,
@@ -63,18 +68,18 @@ async function pageAt(origin: string, credentials: Registration): Promise<PortPa
     },
     onDrivers: () => undefined,
   });
-  onTestFinished(() => link.close());
+  onTestFinished(() => connection.close());
   await connected.promise;
   return {
     report: (change) => {
       snapshot = snapshotOf({ seq: (snapshot?.seq ?? 1) + 1, ...change });
-      link.sendSnapshot(snapshot);
+      connection.sendSnapshot(snapshot);
     },
     arrived: () => arrived,
     cancelled: () => cancelled,
     started: (seq) => {
       running.add(seq);
-      link.started(seq);
+      connection.started(seq);
     },
     ended,
   };

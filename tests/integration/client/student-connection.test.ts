@@ -2,7 +2,7 @@
 import { classViewSchema, closeReasons } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { ClassAtRelay } from "../../../apps/relay/src/testing/class-at-relay.ts";
-import { LearnLink } from "../../../packages/client/src/student-connection.ts";
+import { StudentConnection } from "../../../packages/client/src/student-connection.ts";
 import type { FilterMode } from "../../support/client/filter-proxy.ts";
 import { startFilterProxy } from "../../support/client/start-filter-proxy.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";
@@ -22,7 +22,7 @@ async function inClass(mode: FilterMode) {
   const { key } = await room.join();
   const open = () => {
     const log: string[] = [];
-    const link = new LearnLink({
+    const connection = new StudentConnection({
       origin: proxy.origin,
       id: room.created.id,
       key,
@@ -30,8 +30,8 @@ async function inClass(mode: FilterMode) {
       onStatus: (status) =>
         log.push(status.kind === "over" ? `over ${status.reason.code}` : status.kind),
     });
-    onTestFinished(() => link.close());
-    return { link, log };
+    onTestFinished(() => connection.close());
+    return { connection, log };
   };
   const connect = async () => {
     const opened = open();
@@ -44,8 +44,8 @@ async function inClass(mode: FilterMode) {
 describe.each(modes)("a student behind a filter (%s)", (mode) => {
   it("connects, asks for help, and receives a pause", async () => {
     const { room, connect } = await inClass(mode);
-    const { link, log } = await connect();
-    link.send({ type: "help", wanted: true });
+    const { connection, log } = await connect();
+    connection.send({ type: "help", wanted: true });
     const helpSince = async () => {
       const { students } = classViewSchema.parse(await (await room.direct("GET")).json());
       return students[0]?.helpSince;

@@ -3,7 +3,7 @@ import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { HostLink } from "../../../packages/client/src/host-connection.ts";
+import { HostConnection } from "../../../packages/client/src/host-connection.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";
@@ -117,16 +117,19 @@ describe("a script and a robot at a real relay", () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const script = await scriptFor(registration.address);
     await script.right90();
-    robot.link.close();
+    robot.connection.close();
     const waiting = script.move(100);
-    const host = (fresh: boolean, onCommand: (seq: number, link: HostLink) => void): HostLink => {
-      const link = new HostLink({
+    const host = (
+      fresh: boolean,
+      onCommand: (seq: number, connection: HostConnection) => void,
+    ): HostConnection => {
+      const connection = new HostConnection({
         origin: relay.url,
         credentials: registration,
         lastApplied: 1,
         fresh,
         snapshot: () => robot.snapshot(),
-        onCommand: ({ seq }) => onCommand(seq, link),
+        onCommand: ({ seq }) => onCommand(seq, connection),
         onStop: () => undefined,
         onCancel: () => undefined,
         onGiveBack: () => undefined,
@@ -136,12 +139,12 @@ describe("a script and a robot at a real relay", () => {
         onStatus: () => undefined,
         onDrivers: () => undefined,
       });
-      onTestFinished(() => link.close());
-      return link;
+      onTestFinished(() => connection.close());
+      return connection;
     };
     const started = Promise.withResolvers<void>();
-    const first = host(false, (seq, link) => {
-      link.started(seq);
+    const first = host(false, (seq, connection) => {
+      connection.started(seq);
       started.resolve();
     });
     await started.promise;
@@ -159,7 +162,7 @@ describe("a script and a robot at a real relay", () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR, await sharedRelay());
     const script = await scriptFor(registration.address);
     await script.right90();
-    robot.link.close();
+    robot.connection.close();
     for await (const event of script.events()) {
       if (event.kind === "snapshot" && event.snapshot.state === "gone") break;
     }

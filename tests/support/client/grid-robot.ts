@@ -5,7 +5,7 @@ import type {
   Registration,
   Snapshot,
 } from "@corridor/protocol";
-import { HostLink, type HostStatus } from "../../../packages/client/src/host-connection.ts";
+import { HostConnection, type HostStatus } from "../../../packages/client/src/host-connection.ts";
 
 /** x and y by quarter turns clockwise from north */
 const STEPS = [
@@ -20,7 +20,7 @@ const STEPS = [
  * executes every command at once. It records all commands, so that tests notice duplicates.
  */
 export class GridRobot {
-  readonly link: HostLink;
+  readonly connection: HostConnection;
   readonly done: RemoteCommand[] = [];
   readonly visited = new Set<string>();
   /** null: there is none */
@@ -39,7 +39,7 @@ export class GridRobot {
     this.#row = rows.findIndex((row) => row.includes("."));
     this.#column = rows[this.#row]?.indexOf(".") ?? 0;
     this.#visit();
-    this.link = new HostLink({
+    this.connection = new HostConnection({
       origin,
       credentials,
       lastApplied: 0,
@@ -54,7 +54,7 @@ export class GridRobot {
       onRefused: () => undefined,
       onStatus: ({ kind }) => {
         this.statuses.push(kind);
-        if (kind === "connected") this.link.sendSnapshot(this.snapshot());
+        if (kind === "connected") this.connection.sendSnapshot(this.snapshot());
       },
       onDrivers: () => undefined,
     });
@@ -97,10 +97,10 @@ export class GridRobot {
 
   #execute({ seq, command }: DeliveredCommand): void {
     this.done.push(command);
-    this.link.started(seq);
+    this.connection.started(seq);
     const isFree = this.#move(command);
     this.#visit();
-    this.link.ended(seq, {
+    this.connection.ended(seq, {
       state: isFree ? "completed" : "collided",
       reason: null,
       pose: this.#pose,

@@ -2,11 +2,11 @@
 import type { DeliveredCommand, Marks, Registration } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { MazeRobot } from "../../../packages/agent/src/testing/maze-robot.ts";
-import { HostLink } from "../../../packages/client/src/host-connection.ts";
+import { HostConnection } from "../../../packages/client/src/host-connection.ts";
 
 export class MazeHost {
   readonly robot: MazeRobot;
-  readonly link: HostLink;
+  readonly connection: HostConnection;
   readonly connected: Promise<void>;
   /** false: commands start, and end with `endAll` */
   endsCommands = true;
@@ -20,7 +20,7 @@ export class MazeHost {
     this.robot = new MazeRobot(maze);
     const connected = Promise.withResolvers<void>();
     this.connected = connected.promise;
-    this.link = new HostLink({
+    this.connection = new HostConnection({
       origin,
       credentials,
       lastApplied: 0,
@@ -35,7 +35,7 @@ export class MazeHost {
       onRefused: () => undefined,
       onStatus: ({ kind }) => {
         if (kind !== "connected") return;
-        this.link.sendSnapshot(this.robot.snapshot());
+        this.connection.sendSnapshot(this.robot.snapshot());
         connected.resolve();
       },
       onMarks: (marks) => void this.marks.push(marks),
@@ -67,13 +67,13 @@ export class MazeHost {
   #start(command: DeliveredCommand): void {
     const { seq } = command;
     this.started += 1;
-    this.link.started(seq);
+    this.connection.started(seq);
     if (this.endsCommands) this.#end(seq, this.robot.execute(command.command));
     else this.#running.push(command);
   }
 
   #end(seq: number, result: ReturnType<MazeRobot["execute"]>): void {
-    this.link.sendSnapshot(this.robot.snapshot());
-    this.link.ended(seq, { ...result, reason: null, pose: this.robot.pose });
+    this.connection.sendSnapshot(this.robot.snapshot());
+    this.connection.ended(seq, { ...result, reason: null, pose: this.robot.pose });
   }
 }

@@ -10,6 +10,6 @@ export async function robotIn(maze: readonly string[], shared?: RelayProcess) {
   const relay = shared ?? (await startRelayProcess());
   const registration = await registerRobot(relay.url, fetch);
   const robot = new GridRobot(relay.url, registration, maze);
-  onTestFinished(() => robot.link.close());
+  onTestFinished(() => robot.connection.close());
   return { relay, robot, registration };
 }

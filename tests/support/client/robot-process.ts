@@ -27,10 +27,10 @@ const instructions: Record<string, () => unknown> = {
   kill: () => relay.kill(),
   start: () => relay.restart(),
   disconnect: async () => {
-    robot.link.close();
+    robot.connection.close();
     await untilGone();
   },
-  connect: () => robot.link.open(),
+  connect: () => robot.connection.open(),
   state: () => ({
     done: robot.done,
     visited: robot.visited.size,
@@ -59,7 +59,7 @@ print({ address, origin, openCells: robot.openCells, ownerKey });
 for await (const instruction of createInterface({ input: process.stdin })) {
   print((await instructions[instruction]?.()) ?? null);
 }
-robot.link.close();
+robot.connection.close();
 await relay.kill();
 await relay.stop();
 process.exit();

@@ -20,7 +20,7 @@ export async function robotWithCode(
 ): Promise<RobotWithCode> {
   const registration = await registerRobot(origin, fetch);
   const robot = new GridRobot(origin, registration, maze);
-  onTestFinished(() => robot.link.close());
+  onTestFinished(() => robot.connection.close());
   const headers = {
     Authorization: `Bearer ${registration.ownerKey}`,
     "Content-Type": "application/json",

@@ -24,7 +24,7 @@ export async function corridorHost<R extends { url: string }>(
 ) {
   const registration = await registerRobot(relay.url, fetch);
   const page = new MazeHost(pageOrigin, registration, maze);
-  onTestFinished(() => page.link.close());
+  onTestFinished(() => page.connection.close());
   await page.connected;
   await MazeHost.publish(relay.url, registration, maze);
   return { relay, registration, page, url: `${relay.url}/r/${registration.id}/mcp` };

@@ -4,12 +4,12 @@ import { limits } from "../platform/limits/limits.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ClassRow } from "../store/class-store.ts";
 import { CreditedFeed } from "./credited-feed.ts";
-import type { MemberLink } from "./member-connection.ts";
+import type { MemberConnection } from "./member-connection.ts";
 
 export type DisplayContent = Extract<TeacherToRelay, { type: "display" }>["content"];
 
 interface Screen {
-  link: MemberLink<RelayToScreen>;
+  connection: MemberConnection<RelayToScreen>;
   displays: CreditedFeed<DisplayContent>;
 }
 
@@ -37,17 +37,20 @@ export class BigScreens {
   }
 
   /** Connects a big screen. @param row of the class */
-  join(link: MemberLink<RelayToScreen>, { code, lessonVersion: lesson }: ClassRow): ScreenMember {
+  join(
+    connection: MemberConnection<RelayToScreen>,
+    { code, lessonVersion: lesson }: ClassRow,
+  ): ScreenMember {
     const screen: Screen = {
-      link,
+      connection,
       displays: new CreditedFeed({
         clock: this.#clock,
         intervalMs: () => limits.displayIntervalMs,
         merge: (_waiting, newer) => newer,
-        send: (seq, content) => link.send({ type: "display", seq, content }),
+        send: (seq, content) => connection.send({ type: "display", seq, content }),
       }),
     };
-    link.send({ type: "welcome", version: PROTOCOL_VERSION, code, lesson });
+    connection.send({ type: "welcome", version: PROTOCOL_VERSION, code, lesson });
     this.#screens.add(screen);
     if (this.#content !== null) screen.displays.offer(this.#content);
     return {
@@ -67,16 +70,16 @@ export class BigScreens {
 
   /** Sends what has changed in the class. */
   changed(before: ClassRow, row: ClassRow): void {
-    for (const { link } of this.#screens) {
-      if (row.code !== before.code) link.send({ type: "code", code: row.code });
+    for (const { connection } of this.#screens) {
+      if (row.code !== before.code) connection.send({ type: "code", code: row.code });
       if (row.lessonVersion !== before.lessonVersion) {
-        link.send({ type: "lesson", version: row.lessonVersion });
+        connection.send({ type: "lesson", version: row.lessonVersion });
       }
     }
   }
 
   /** Ends all connections, because the class has ended. */
   ended(): void {
-    for (const { link } of this.#screens) link.close("over");
+    for (const { connection } of this.#screens) connection.close("over");
   }
 }

@@ -22,25 +22,25 @@ import { BigScreens, type DisplayContent, type ScreenMember } from "./big-screen
 import { ClassEvents } from "./class-events.ts";
 import { nameOf, settingsOf, type ClassState } from "./class-state.ts";
 import { CreditedFeed } from "./credited-feed.ts";
-import type { MemberLink } from "./member-connection.ts";
+import type { MemberConnection } from "./member-connection.ts";
 import { OtherRelays } from "./other-relays.ts";
 import { requireCaller, type StudentCaller } from "./student-steps.ts";
 import { requireStudent } from "./teacher-steps.ts";
 
-type StudentLink = MemberLink<RelayToStudent>;
+type StudentConnection = MemberConnection<RelayToStudent>;
 type StudentRates = MessageRates<keyof typeof limits.studentRates>;
 
 interface ConnectedStudent {
   /** hash of the key */
   key: string;
   connectedAt: number;
-  link: StudentLink;
+  connection: StudentConnection;
   /** whether a dashboard watches, as the student's page last received it */
   watched: boolean;
 }
 
 interface Dashboard {
-  link: MemberLink<RelayToTeacher>;
+  connection: MemberConnection<RelayToTeacher>;
   tiles: CreditedFeed<ReadonlySet<number>>;
   watched: number | null;
 }
@@ -110,17 +110,17 @@ export class ClassConnections {
    * Connects a student. An earlier connection of the student ends.
    * @throws Refusal not-authorised if the key is not valid any more
    */
-  joinStudent(caller: StudentCaller, link: StudentLink): StudentMember {
+  joinStudent(caller: StudentCaller, connection: StudentConnection): StudentMember {
     const { student: number, key } = caller;
     const row = requireCaller(this.#state(), caller);
-    this.#students.get(number)?.link.close("replaced");
+    this.#students.get(number)?.connection.close("replaced");
     const watched = this.#isWatched(number);
-    this.#students.set(number, { key, link, watched, connectedAt: this.#clock.now() });
+    this.#students.set(number, { key, connection, watched, connectedAt: this.#clock.now() });
     const rates = this.#rates.get(number) ?? new MessageRates(limits.studentRates, this.#clock);
     this.#rates.set(number, rates);
     const { row: classRow } = this.#state();
     const settings = settingsOf(classRow, this.#clock.now());
-    link.send({
+    connection.send({
       type: "welcome",
       version: PROTOCOL_VERSION,
       student: number,
@@ -146,7 +146,7 @@ export class ClassConnections {
         this.#others.tile(number, tile);
       },
       leave: () => {
-        if (this.#students.get(number)?.link !== link) return;
+        if (this.#students.get(number)?.connection !== connection) return;
         this.#students.delete(number);
         this.#showTile(number);
         this.#others.announce();
@@ -161,10 +161,10 @@ export class ClassConnections {
    * @param since the last event that it received on an earlier connection
    * @throws Refusal too-many-readers
    */
-  joinTeacher(link: MemberLink<RelayToTeacher>, since: string | null): TeacherMember {
+  joinTeacher(connection: MemberConnection<RelayToTeacher>, since: string | null): TeacherMember {
     this.#limitConnections();
     const dashboard: Dashboard = {
-      link,
+      connection,
       watched: null,
       tiles: new CreditedFeed({
         clock: this.#clock,
@@ -173,11 +173,11 @@ export class ClassConnections {
         merge: (waiting, newer) => new Set([...waiting, ...newer]),
         send: (seq, students) => {
           const tiles = [...students].filter((each) => this.#state().students.has(each));
-          link.send({ type: "tiles", seq, tiles: tiles.map((each) => this.#tileOf(each)) });
+          connection.send({ type: "tiles", seq, tiles: tiles.map((each) => this.#tileOf(each)) });
         },
       }),
     };
-    for (const message of this.#events.first(since)) link.send(message);
+    for (const message of this.#events.first(since)) connection.send(message);
     this.#dashboards.add(dashboard);
     const { students } = this.#state();
     if (students.size > 0) dashboard.tiles.offer(new Set(students.keys()));
@@ -199,7 +199,7 @@ export class ClassConnections {
     requireStudent(this.#state(), student);
     const found = this.#students.get(student);
     if (found === undefined) this.#notify({ kind: "hint", student, task, hint });
-    else found.link.send({ type: "hint", task, hint });
+    else found.connection.send({ type: "hint", task, hint });
   }
 
   /** Replaces what the big screens show. */
@@ -211,9 +211,9 @@ export class ClassConnections {
   // --- big screens ---
 
   /** @throws Refusal too-many-readers */
-  joinScreen(link: MemberLink<RelayToScreen>): ScreenMember {
+  joinScreen(connection: MemberConnection<RelayToScreen>): ScreenMember {
     this.#limitConnections();
-    const screen = this.#screens.join(link, this.#state().row);
+    const screen = this.#screens.join(connection, this.#state().row);
     this.#others.announce();
     return {
       seen: (seq) => screen.seen(seq),
@@ -232,21 +232,22 @@ export class ClassConnections {
    */
   changed(before: ClassState, records: readonly ClassRecord[] | null): void {
     for (const message of this.#events.follow(records)) {
-      for (const { link } of this.#dashboards) link.send(message);
+      for (const { connection } of this.#dashboards) connection.send(message);
     }
     this.#deleteRemoved(before);
-    for (const [number, { key, link }] of this.#students) {
+    for (const [number, { key, connection }] of this.#students) {
       const row = this.#state().students.get(number);
-      if (row === undefined) link.close("removed");
-      else if (row.key !== key) link.close("replaced");
-      else this.#notifyStudent(link, number, before);
+      if (row === undefined) connection.close("removed");
+      else if (row.key !== key) connection.close("replaced");
+      else this.#notifyStudent(connection, number, before);
     }
     this.#screens.changed(before.row, this.#state().row);
   }
 
   /** Ends all connections, because the class has ended. */
   ended(): void {
-    for (const { link } of [...this.#students.values(), ...this.#dashboards]) link.close("over");
+    for (const { connection } of [...this.#students.values(), ...this.#dashboards])
+      connection.close("over");
     this.#screens.ended();
   }
 
@@ -273,7 +274,7 @@ export class ClassConnections {
         return;
       case "hint": {
         const { student, task, hint } = message;
-        return this.#students.get(student)?.link.send({ type: "hint", task, hint });
+        return this.#students.get(student)?.connection.send({ type: "hint", task, hint });
       }
       case "display":
         if (message.isNew || this.#screens.content === null) this.#screens.show(message.content);
@@ -294,7 +295,7 @@ export class ClassConnections {
   #closeReplaced({ students }: ClassPresence): void {
     for (const { student, connectedAt } of students) {
       const here = this.#students.get(student);
-      if (here !== undefined && here.connectedAt < connectedAt) here.link.close("replaced");
+      if (here !== undefined && here.connectedAt < connectedAt) here.connection.close("replaced");
     }
   }
 
@@ -324,21 +325,21 @@ export class ClassConnections {
     };
   }
 
-  #notifyStudent(link: StudentLink, number: number, before: ClassState): void {
+  #notifyStudent(connection: StudentConnection, number: number, before: ClassState): void {
     const { row, students } = this.#state();
     const [student, earlier] = [students.get(number), before.students.get(number)];
     const settings = settingsOf(row, this.#clock.now());
     if (student !== undefined && student.name !== earlier?.name) {
       const { renamesLeft } = student;
-      link.send({ type: "name", name: nameOf(row, student), renamesLeft });
+      connection.send({ type: "name", name: nameOf(row, student), renamesLeft });
     }
     if (row.lessonVersion !== before.row.lessonVersion) {
-      link.send({ type: "lesson", version: row.lessonVersion });
+      connection.send({ type: "lesson", version: row.lessonVersion });
     }
     if (row.pause?.endsAt !== before.row.pause?.endsAt) {
-      link.send({ type: "pause", endsInMs: settings.pauseEndsInMs });
+      connection.send({ type: "pause", endsInMs: settings.pauseEndsInMs });
     }
-    if (row.paceTo !== before.row.paceTo) link.send({ type: "pace", to: row.paceTo });
+    if (row.paceTo !== before.row.paceTo) connection.send({ type: "pace", to: row.paceTo });
   }
 
   #deleteRemoved(before: ClassState): void {
@@ -364,7 +365,7 @@ export class ClassConnections {
       const watched = this.#isWatched(number);
       if (watched === student.watched) continue;
       student.watched = watched;
-      student.link.send({ type: "watched", watched });
+      student.connection.send({ type: "watched", watched });
     }
   }
 

@@ -1,5 +1,5 @@
 /** The connection of a member, as the class uses it. */
-export interface MemberLink<M> {
+export interface MemberConnection<M> {
   send(message: M): void;
   close(reason: LeaveReason): void;
 }

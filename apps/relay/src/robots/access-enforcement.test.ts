@@ -21,8 +21,8 @@ function withReaders({ hasPage = true } = {}) {
     subscribers.join(listener, caller, "websocket");
     return caller;
   };
-  const link = { isOpen: true, send: () => undefined, close: () => undefined };
-  const page = hasPage ? { link, epoch: 1, name: "", isReleasing: false } : null;
+  const connection = { isOpen: true, send: () => undefined, close: () => undefined };
+  const page = hasPage ? { connection, epoch: 1, name: "", isReleasing: false } : null;
   const enforcement = new AccessEnforcement({
     subscribers,
     ownership: { page },

@@ -29,7 +29,7 @@ export class MarkBoard {
   /** Handles marks of a script, here or at another relay. */
   received(marks: Marks): void {
     const { ownership, subscribers } = this.#parts;
-    ownership.page?.link.send({ type: "marks", ...marks });
+    ownership.page?.connection.send({ type: "marks", ...marks });
     subscribers.publishMarks(marks);
   }
 }

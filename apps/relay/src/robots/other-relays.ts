@@ -68,7 +68,9 @@ export class OtherRelays {
     const { page } = ownership;
     switch (message.kind) {
       case "page":
-        ownership.acquireElsewhere(message.epoch, message.name)?.link.close(closeReasons.replaced);
+        ownership
+          .acquireElsewhere(message.epoch, message.name)
+          ?.connection.close(closeReasons.replaced);
         return report.announce();
       case "page-left":
         if (!ownership.leaveElsewhere(message.epoch, clock.now(), message.closedByPage)) return;
@@ -91,7 +93,7 @@ export class OtherRelays {
         if (message.asks) this.#answer();
         return report.send();
       case "cancel":
-        return page?.link.send({ type: "cancel", seq: message.seq, cause: message.cause });
+        return page?.connection.send({ type: "cancel", seq: message.seq, cause: message.cause });
       case "keys":
         return keys.refresh();
       case "maze":

@@ -10,7 +10,7 @@ import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-ownership.ts";
+import type { PageConnection } from "./page/page-ownership.ts";
 import { RobotRegistry, type Grant } from "./registry.ts";
 
 async function withRobots(count: number) {
@@ -35,12 +35,16 @@ async function withRobots(count: number) {
   const robots = await enter();
   /** Delivers a command to the robot's page, then disconnects the page. */
   const leftAlone = async ({ robot, caller }: Grant): Promise<void> => {
-    const link: PageLink = { isOpen: true, send: () => undefined, close: () => undefined };
+    const connection: PageConnection = {
+      isOpen: true,
+      send: () => undefined,
+      close: () => undefined,
+    };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await robot.page.acquire(link, nothing);
+    await robot.page.acquire(connection, nothing);
     const command = { key: null, ...termsOf({ action: "left 90" }) };
     await robot.submit(caller, command, () => undefined);
-    robot.page.leave(link, true);
+    robot.page.leave(connection, true);
   };
   return { clock, store, registry, instead, robots, enter, leftAlone };
 }

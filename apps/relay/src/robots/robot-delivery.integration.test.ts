@@ -2,7 +2,7 @@ import { closeReasons, termsOf, type RelayToPage, type Resume } from "@corridor/
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-ownership.ts";
+import type { PageConnection } from "./page/page-ownership.ts";
 import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: delivery", () => {
@@ -22,7 +22,7 @@ describe("a robot: delivery", () => {
     await setup.submit(LEFT);
     const sent: RelayToPage[] = [];
     let isOpen = true;
-    const link: PageLink = {
+    const connection: PageConnection = {
       get isOpen() {
         return isOpen;
       },
@@ -30,9 +30,9 @@ describe("a robot: delivery", () => {
       close: () => undefined,
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    const taken = setup.robot.page.acquire(link, nothing);
+    const taken = setup.robot.page.acquire(connection, nothing);
     isOpen = false;
-    setup.robot.page.leave(link, true);
+    setup.robot.page.leave(connection, true);
     await taken;
     expect(setup.robot.hasPage).toBe(false);
     expect(sent.filter(({ type }) => type === "command")).toEqual([]);
@@ -44,7 +44,7 @@ describe("a robot: delivery", () => {
   it("sends the page the relay's time, so that the page can measure the delay of a frame", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    await setup.robot.page.receive(host.link, { type: "time", epoch: host.epoch });
+    await setup.robot.page.receive(host.connection, { type: "time", epoch: host.epoch });
     const welcome = host.sent.find(({ type }) => type === "welcome");
     expect(host.sent.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
   });
@@ -73,7 +73,7 @@ describe("a robot: delivery", () => {
     for (let n = 0; n < 3; n++) await setup.submit(LEFT);
     const before = await page(setup);
     await before.started(1);
-    setup.robot.page.leave(before.link, true);
+    setup.robot.page.leave(before.connection, true);
     const after = await page(setup, { lastApplied: 2, endings: [completed(1)] });
     expect(after.seqs("command")).toEqual([3]);
     expect(after.sent).toContainEqual({ type: "stored", seq: 1 });
@@ -88,9 +88,13 @@ describe("a robot: delivery", () => {
     expect(first.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(first.epoch + 1);
     await first.started(1);
-    setup.robot.page.leave(first.link, true);
+    setup.robot.page.leave(first.connection, true);
     expect(await setup.states()).toEqual(["1 delivered"]);
-    await setup.robot.page.receive(second.link, { type: "started", epoch: first.epoch, seq: 1 });
+    await setup.robot.page.receive(second.connection, {
+      type: "started",
+      epoch: first.epoch,
+      seq: 1,
+    });
     expect(second.closed).toEqual([closeReasons.replaced.code]);
     expect(await setup.states()).toEqual(["1 delivered"]);
   });
@@ -114,7 +118,7 @@ describe("a robot: delivery", () => {
     await setup.submit(LEFT);
     const host = await page(setup);
     await host.started(1);
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     await setup.clock.pass(limits.pageDisconnectedMs - 2_000);
     expect(await setup.states()).toEqual(["1 started"]);
     await setup.clock.pass(5_000);

@@ -5,7 +5,7 @@ import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { LiveView } from "./live-view.ts";
 import { PageHandover } from "./page/page-handover.ts";
-import { PageOwnership, type PageLink } from "./page/page-ownership.ts";
+import { PageOwnership, type PageConnection } from "./page/page-ownership.ts";
 import { RobotPage } from "./robot-page.ts";
 
 const resume: Resume = { type: "resume", lastApplied: 0, fresh: true, endings: [] };
@@ -30,11 +30,11 @@ function withPageSide() {
   const view = new LiveView({ clock, subscribers, channel });
   const life = {
     handover,
-    acquirePage: async (link: PageLink, _resume: Resume, acquired: () => void) => {
-      ownership.take({ link, epoch: ownership.epoch + 1, name: "" });
+    acquirePage: async (connection: PageConnection, _resume: Resume, acquired: () => void) => {
+      ownership.take({ connection, epoch: ownership.epoch + 1, name: "" });
       acquired();
     },
-    receiveFromPage: async ({ isOpen }: PageLink, { type }: { type: string }) =>
+    receiveFromPage: async ({ isOpen }: PageConnection, { type }: { type: string }) =>
       void seen.push(`${type}${isOpen ? "" : " of a closed page"}`),
   };
   const page = new RobotPage({
@@ -47,10 +47,10 @@ function withPageSide() {
     use: { used: () => undefined },
     report: { send: () => void seen.push("scripts") },
   });
-  const link = () => {
+  const connection = () => {
     const sent: RelayToPage[] = [];
     const closed: CloseReason[] = [];
-    const made: PageLink & { isOpen: boolean } = {
+    const made: PageConnection & { isOpen: boolean } = {
       isOpen: true,
       send: (...messages) => void sent.push(...messages),
       close: (reason) => {
@@ -58,22 +58,22 @@ function withPageSide() {
         closed.push(reason);
       },
     };
-    return { link: made, sent, closed };
+    return { connection: made, sent, closed };
   };
-  return { clock, ownership, page, link, seen };
+  return { clock, ownership, page, connection, seen };
 }
 
 const snapshot = (seq: number) => snapshotOf({ seq, tick: seq });
 
 it("shows readers the snapshot of a page before anything else of it, and the page the scripts", async () => {
-  const { page, link, seen } = withPageSide();
-  await page.acquire(link().link, { ...resume, snapshot: snapshot(3) });
+  const { page, connection, seen } = withPageSide();
+  await page.acquire(connection().connection, { ...resume, snapshot: snapshot(3) });
   expect(seen).toEqual(["3 running", "scripts"]);
 });
 
 it("leaves no robot with a page that disconnected while it acquired the robot", async () => {
-  const { ownership, page, link, seen } = withPageSide();
-  const { link: gone } = link();
+  const { ownership, page, connection, seen } = withPageSide();
+  const { connection: gone } = connection();
   gone.isOpen = false;
   await page.acquire(gone, resume);
   expect(ownership.page).toBeNull();
@@ -81,20 +81,20 @@ it("leaves no robot with a page that disconnected while it acquired the robot", 
 });
 
 it("ignores the messages and the end of a page that another one has replaced", async () => {
-  const { page, link, seen } = withPageSide();
-  const [first, second] = [link(), link()];
-  await page.acquire(first.link, resume);
-  await page.acquire(second.link, resume);
+  const { page, connection, seen } = withPageSide();
+  const [first, second] = [connection(), connection()];
+  await page.acquire(first.connection, resume);
+  await page.acquire(second.connection, resume);
   seen.length = 0;
-  page.receiveSnapshot(first.link, 1, CarriedSnapshot.of(snapshot(1)));
-  await page.receive(first.link, { type: "started", epoch: 1, seq: 1 });
-  page.leave(first.link, true);
+  page.receiveSnapshot(first.connection, 1, CarriedSnapshot.of(snapshot(1)));
+  await page.receive(first.connection, { type: "started", epoch: 1, seq: 1 });
+  page.leave(first.connection, true);
   expect(seen).toEqual([]);
 });
 
 it("disconnects a page that sends the epoch of another connection", async () => {
-  const { page, link, seen } = withPageSide();
-  const { link: owner, closed } = link();
+  const { page, connection, seen } = withPageSide();
+  const { connection: owner, closed } = connection();
   await page.acquire(owner, resume);
   seen.length = 0;
   await page.receive(owner, { type: "started", epoch: 7, seq: 1 });
@@ -103,16 +103,16 @@ it("disconnects a page that sends the epoch of another connection", async () => 
 });
 
 it("sends a page the time of the relay", async () => {
-  const { clock, page, link } = withPageSide();
-  const { link: owner, sent } = link();
+  const { clock, page, connection } = withPageSide();
+  const { connection: owner, sent } = connection();
   await page.acquire(owner, resume);
   await page.receive(owner, { type: "time", epoch: 1 });
   expect(sent).toEqual([{ type: "time", at: clock.now() }]);
 });
 
 it("sends other relays the newest snapshot before an ending", async () => {
-  const { page, link, seen } = withPageSide();
-  const { link: owner } = link();
+  const { page, connection, seen } = withPageSide();
+  const { connection: owner } = connection();
   await page.acquire(owner, resume);
   seen.length = 0;
   await page.receive(owner, { type: "snapshot", epoch: 1, snapshot: snapshot(9) });
@@ -122,9 +122,9 @@ it("sends other relays the newest snapshot before an ending", async () => {
 });
 
 it("lets its page reconnect if other relays consider it disconnected", async () => {
-  const { ownership, page, link, seen } = withPageSide();
+  const { ownership, page, connection, seen } = withPageSide();
   page.lapsed();
-  const { link: owner, closed } = link();
+  const { connection: owner, closed } = connection();
   await page.acquire(owner, resume);
   page.lapsed();
   expect(closed).toEqual([closeReasons.restart]);

@@ -86,7 +86,7 @@ describe("a robot: snapshots and states for scripts", () => {
     await setup.submit(LEFT);
     await host.started(1);
     await host.report({ seq: 1, tick: 100 });
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     const ended = setup.robot.endOf(1, waitLimit(20_000));
     const read = ended.then(({ state }) => `${state} at ${setup.robot.newest?.tick}`);
     const snapshot = snapshotOf({ seq: 2, tick: 200 });
@@ -101,7 +101,7 @@ describe("a robot: snapshots and states for scripts", () => {
     expect(setup.robot.newest?.state).toBe("running");
     await setup.clock.pass(5_000);
     expect(setup.robot.newest?.state).toBe("paused");
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     expect(setup.robot.newest?.state).toBe("gone");
   });
 
@@ -136,7 +136,7 @@ describe("a robot: snapshots and states for scripts", () => {
     await host.report({ seq: 8 });
     expect(await none).toMatchObject({ seq: 9 });
     const gone = setup.robot.readers.nextSnapshot(9, waitLimit(25_000));
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     expect(await gone).toMatchObject({ seq: 9, state: "gone" });
     const quiet = setup.robot.readers.nextSnapshot(9, waitLimit(25_000));
     await setup.clock.pass(25_000);
@@ -174,7 +174,7 @@ describe("a robot: snapshots and states for scripts", () => {
     expect((await end(1, 100)).reason).toBe("The run is paused: press Run on the robot's page.");
     const advice = /check that the robot's page is open, connected under Remote and not paused/;
     expect((await end(1, limits.asleepMs + 5_000)).reason).toMatch(advice);
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     const closed =
       /page is closed or offline: open it again and choose Remote\. If it says Off, press Connect\. If you closed its tab, copy/;
     for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(closed);

@@ -5,7 +5,7 @@ import { settled } from "../platform/testing/fake-clock.ts";
 import { because } from "../store/cases/robot-in-store.ts";
 import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-ownership.ts";
+import type { PageConnection } from "./page/page-ownership.ts";
 import { LEFT, page, withRobot, type Setup } from "./testing/robot-at-relay.ts";
 
 const DOUBT = because("taken-over-unsure");
@@ -64,7 +64,7 @@ describe("a robot: a second page", () => {
     for (const closedByPage of [true, false]) {
       const setup = await withRobot();
       const first = await withBusyPage(setup);
-      setup.robot.page.leave(first.link, closedByPage);
+      setup.robot.page.leave(first.connection, closedByPage);
       const second = await anotherPage(setup);
       expect(second.seqs("command")).toEqual(closedByPage ? [2, 3] : []);
     }
@@ -77,7 +77,7 @@ describe("a robot: a second page", () => {
     const ended = [because("reloaded"), reloaded, reloaded];
     const setup = await withRobot();
     const first = await withBusyPage(setup);
-    setup.robot.page.leave(first.link, false);
+    setup.robot.page.leave(first.connection, false);
     await anotherPage(setup);
     expect(await reasons(setup)).toEqual(ended);
     // The connection breaks only after the reloaded page has arrived.
@@ -85,7 +85,7 @@ describe("a robot: a second page", () => {
     const before = await withBusyPage(slow, true);
     const coming = anotherPage(slow);
     await settled();
-    slow.robot.page.leave(before.link, false);
+    slow.robot.page.leave(before.connection, false);
     await coming;
     expect(await reasons(slow)).toEqual(ended);
   });
@@ -94,7 +94,7 @@ describe("a robot: a second page", () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup);
     const received = first.started(2);
-    setup.robot.page.leave(first.link, true);
+    setup.robot.page.leave(first.connection, true);
     await received;
     expect((await anotherPage(setup)).seqs("command")).toEqual([3]);
   });
@@ -123,7 +123,7 @@ describe("a robot: a second page", () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
     const sent: string[] = [];
-    const gone: PageLink = {
+    const gone: PageConnection = {
       isOpen: false,
       send: ({ type }) => sent.push(type),
       close: () => undefined,
@@ -142,7 +142,7 @@ describe("a robot: a second page", () => {
     expect(sent).toEqual([]);
     // The first page reconnects and continues.
     expect(first.closed).toEqual([1013]);
-    setup.robot.page.leave(first.link, false);
+    setup.robot.page.leave(first.connection, false);
     const again = await page(setup, { page: FIRST, lastApplied: 1 });
     expect(again.seqs("command")).toEqual([2, 3]);
   });

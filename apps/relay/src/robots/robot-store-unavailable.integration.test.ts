@@ -20,7 +20,7 @@ describe("a robot: while its store is unavailable", () => {
     await setup.submit(LEFT);
     const host = await page(setup);
     await host.started(1);
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     setup.cut.isCut = true;
     await setup.clock.pass(limits.pageDisconnectedMs + 5_000);
     setup.cut.isCut = false;
@@ -37,7 +37,7 @@ describe("a robot: while its store is unavailable", () => {
     // The command may be marked as delivered but was not sent. Only a new connection of the page
     // resolves that.
     expect([host.seqs("command"), host.closed]).toEqual([[], [closeReasons.busy.code]]);
-    setup.robot.page.leave(host.link, true);
+    setup.robot.page.leave(host.connection, true);
     expect(await setup.submit(LEFT, "key-0001")).toMatchObject({ seq: 1, duplicate: true });
     const back = await page(setup);
     expect(back.seqs("command")).toEqual([1]);

@@ -68,7 +68,7 @@ describe("a robot: time to live", () => {
     const before = await page(setup);
     await setup.submit({ ...LEFT, ttl: 400 });
     await setup.submit(LEFT);
-    setup.robot.page.leave(before.link, true);
+    setup.robot.page.leave(before.connection, true);
     await setup.clock.pass(500);
     expect(await setup.states()).toEqual(["1 delivered", "2 delivered"]);
     const after = await page(setup);

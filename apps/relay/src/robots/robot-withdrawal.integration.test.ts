@@ -40,7 +40,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
     const before = await page(setup);
     for (let n = 0; n < 3; n++) await setup.submit(LEFT);
     await before.started(1);
-    setup.robot.page.leave(before.link, true);
+    setup.robot.page.leave(before.connection, true);
     for (const seq of [1, 2])
       expect(await setup.robot.cancel(setup.caller, seq)).toHaveProperty("seq");
     const after = await page(setup, { lastApplied: 1 });
@@ -55,7 +55,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
     const setup = await withRobot();
     const before = await page(setup);
     await setup.submit(LEFT);
-    setup.robot.page.leave(before.link, true);
+    setup.robot.page.leave(before.connection, true);
     await setup.robot.keys.make({ kind: "drive", replace: true });
     const after = await page(setup);
     expect(after.seqs("command")).toEqual([]);

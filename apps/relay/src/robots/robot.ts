@@ -313,7 +313,7 @@ export class Robot {
     if (reason === "over") this.#channel.deleted();
     this.#life.close(reason);
     this.presence.close();
-    this.#ownership.page?.link.close(closeReasons[reason]);
+    this.#ownership.page?.connection.close(closeReasons[reason]);
     this.#ownership.clear();
     this.#subscribers.close(reason);
     this.leave();

@@ -25,7 +25,7 @@ import { completed } from "../platform/testing/messages.ts";
 import { maze } from "../platform/testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-ownership.ts";
+import type { PageConnection } from "./page/page-ownership.ts";
 import { RobotRegistry } from "./registry.ts";
 
 const LEFT: Order = { action: "left 90" };
@@ -59,20 +59,20 @@ async function withRelays() {
     const sent: RelayToPage[] = [];
     const closed: number[] = [];
     let epoch = 0;
-    const link: PageLink = {
+    const connection: PageConnection = {
       isOpen: true,
       send: (...messages) => {
         sent.push(...messages);
         if (messages.some(({ type }) => type === "yield") && !isSilent)
-          void robot.page.receive(link, { type: "yielded", epoch });
+          void robot.page.receive(connection, { type: "yielded", epoch });
       },
       close: ({ code }) => closed.push(code),
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await robot.page.acquire(link, { ...nothing, ...resume });
+    await robot.page.acquire(connection, { ...nothing, ...resume });
     const welcome = sent.find((message) => message.type === "welcome");
     epoch = welcome?.epoch ?? 0;
-    return { robot, link, sent, closed, epoch };
+    return { robot, connection, sent, closed, epoch };
   };
   const host = await page();
   const { robot: atScripts, caller: key } = await scripts.authorise(
@@ -133,8 +133,8 @@ async function withRelays() {
 
 type Host = Awaited<ReturnType<Awaited<ReturnType<typeof withRelays>>["page"]>>;
 
-const report = ({ robot, link, epoch }: Host, change = {}) =>
-  robot.page.receive(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
+const report = ({ robot, connection, epoch }: Host, change = {}) =>
+  robot.page.receive(connection, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
 const seqs = ({ sent }: Host): number[] =>
   sent.flatMap((message) =>
     message.type === "command" || message.type === "stop" ? [message.seq] : [],
@@ -146,10 +146,10 @@ describe("page and script at different relays", () => {
     const said = read();
     expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
     expect(seqs(host)).toEqual([1]);
-    const { robot, link, epoch } = host;
-    await robot.page.receive(link, { type: "started", epoch, seq: 1 });
+    const { robot, connection, epoch } = host;
+    await robot.page.receive(connection, { type: "started", epoch, seq: 1 });
     const end = atScripts.endOf(1, waitLimit(25_000));
-    await robot.page.receive(link, { type: "ended", epoch, ...completed(1) });
+    await robot.page.receive(connection, { type: "ended", epoch, ...completed(1) });
     expect(await end).toMatchObject({ seq: 1, state: "completed" });
     expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
   });
@@ -191,7 +191,7 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 8, tick: 9 });
     await clock.pass(limits.snapshotIntervalMs);
     expect(await next).toMatchObject({ seq: 8 });
-    host.robot.page.leave(host.link, true);
+    host.robot.page.leave(host.connection, true);
     await clock.pass(limits.snapshotIntervalMs);
     expect(said.at(-1)).toBe("snapshot 8 gone");
     expect(atScripts.newest).toMatchObject({ state: "gone" });
@@ -214,8 +214,8 @@ describe("page and script at different relays", () => {
     const said = read();
     await report(host, { seq: 1 });
     await report(host, { seq: 2 });
-    const { robot, link, epoch } = host;
-    await robot.page.receive(link, { type: "ended", epoch, ...completed(1) });
+    const { robot, connection, epoch } = host;
+    await robot.page.receive(connection, { type: "ended", epoch, ...completed(1) });
     await settled();
     expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
   });
@@ -267,7 +267,7 @@ describe("page and script at different relays", () => {
     expect(host.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(host.epoch + 1);
     expect(seqs(second)).toEqual([1]);
-    await host.robot.page.receive(host.link, { type: "started", epoch: host.epoch, seq: 1 });
+    await host.robot.page.receive(host.connection, { type: "started", epoch: host.epoch, seq: 1 });
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
   });
 
@@ -275,8 +275,8 @@ describe("page and script at different relays", () => {
     const { atPages, atScripts, page, submit } = await withRelays();
     const first = await page(atPages, { page: "page-one", fresh: true });
     for (let n = 0; n < 2; n++) await submit(LEFT);
-    const { robot, link, epoch } = first;
-    void robot.page.receive(link, { type: "started", epoch, seq: 1 });
+    const { robot, connection, epoch } = first;
+    void robot.page.receive(connection, { type: "started", epoch, seq: 1 });
     const second = await page(atScripts, { page: "page-two", fresh: true });
     expect(first.sent.at(-1)).toEqual({ type: "yield" });
     expect(first.closed).toEqual([closeReasons.replaced.code]);
@@ -301,13 +301,13 @@ describe("page and script at different relays", () => {
   it("ends the commands of a disconnected page once, and none of a page that reconnected elsewhere", async () => {
     const { host, atScripts, page, submit, clock, read } = await withRelays();
     await submit(LEFT);
-    host.robot.page.leave(host.link, true);
+    host.robot.page.leave(host.connection, true);
     await clock.pass(limits.pageDisconnectedMs - 5_000);
     const second = await page(atScripts, { lastApplied: 1 });
     await clock.pass(20_000);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ state: "started" }]);
     const said = read();
-    atScripts.page.leave(second.link, true);
+    atScripts.page.leave(second.connection, true);
     await clock.pass(limits.pageDisconnectedMs + 5_000);
     expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
   });
@@ -326,7 +326,7 @@ describe("page and script at different relays", () => {
   it("expires waiting commands after the relay that stored them has ended", async () => {
     const { host, atPages, scripts, submit, clock } = await withRelays();
     await clock.pass(1_000);
-    atPages.page.leave(host.link, true);
+    atPages.page.leave(host.connection, true);
     await submit({ ...LEFT, ttl: 400 });
     await scripts.close();
     await clock.pass(500);

@@ -129,7 +129,7 @@ describe("roslib", () => {
       ended.reject(new Error(error)),
     );
     await expect.poll(() => page.started).toBe(1);
-    page.link.sendSnapshot(page.robot.snapshot({ command: 1 }));
+    page.connection.sendSnapshot(page.robot.snapshot({ command: 1 }));
     expect(await fed.promise).toMatchObject({ x: 1.5, y: 5.5 });
     move.cancelGoal(String(id));
     // The library reports every status but 4 as a failure, with the result as JSON.

@@ -17,7 +17,7 @@ import {
 } from "@corridor/protocol";
 import type { Member } from "../../classes/access.ts";
 import type { LiveClass } from "../../classes/live-class.ts";
-import type { LeaveReason, MemberLink } from "../../classes/member-connection.ts";
+import type { LeaveReason, MemberConnection } from "../../classes/member-connection.ts";
 import type { ClassGrant } from "../../classes/registry.ts";
 import { helpStep, programStep, progressStep, renameStep } from "../../classes/student-steps.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
@@ -139,7 +139,7 @@ class ClassConversation implements Conversation {
   }
 }
 
-function linkOf<M extends RelayToMember>(connection: Connection): MemberLink<M> {
+function typedConnection<M extends RelayToMember>(connection: Connection): MemberConnection<M> {
   return {
     send: (message) => connection.send(encodeFrame(message)),
     close: (why) => closeWith(connection, closings[why].reason, closings[why].detail),
@@ -152,16 +152,16 @@ function studentHandler(
 ): Handler {
   const { found } = grant;
   const caller = { student, key };
-  const link = linkOf<RelayToStudent>(connection);
-  const member = found.connections.joinStudent(caller, link);
+  const toStudent = typedConnection<RelayToStudent>(connection);
+  const member = found.connections.joinStudent(caller, toStudent);
   const store = async (message: Exclude<StudentToRelay, { type: "tile" }>): Promise<void> => {
     switch (message.type) {
       case "progress":
         await found.run(progressStep(caller, message.seq, message.event));
-        return link.send({ type: "stored", what: "progress", seq: message.seq });
+        return toStudent.send({ type: "stored", what: "progress", seq: message.seq });
       case "program":
         await found.run(programStep(caller, message.task, message.link));
-        return link.send({ type: "stored", what: "program", seq: message.seq });
+        return toStudent.send({ type: "stored", what: "program", seq: message.seq });
       case "help":
         return found.run(helpStep(caller, message.wanted));
       case "name":
@@ -182,7 +182,10 @@ function studentHandler(
 
 function teacherHandler({ hello, grant, connection, clock }: ClassConversationOptions): Handler {
   const { connections } = grant.found;
-  const member = connections.joinTeacher(linkOf<RelayToTeacher>(connection), hello.since ?? null);
+  const member = connections.joinTeacher(
+    typedConnection<RelayToTeacher>(connection),
+    hello.since ?? null,
+  );
   const rates = new MessageRates(limits.teacherRates, clock);
   return {
     received: (text) => {
@@ -199,7 +202,7 @@ function teacherHandler({ hello, grant, connection, clock }: ClassConversationOp
 }
 
 function screenHandler({ grant, connection }: ClassConversationOptions): Handler {
-  const member = grant.found.connections.joinScreen(linkOf<RelayToScreen>(connection));
+  const member = grant.found.connections.joinScreen(typedConnection<RelayToScreen>(connection));
   return {
     received: (text) => {
       member.seen(valueOf(decodeFrame(screenToRelaySchema, text)).seq);

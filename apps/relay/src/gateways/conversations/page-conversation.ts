@@ -11,24 +11,24 @@ import {
   type FieldProblem,
 } from "@corridor/protocol";
 import { readSnapshotMessage } from "../../bus/carried-snapshot.ts";
-import type { PageLink } from "../../robots/page/page-ownership.ts";
+import type { PageConnection } from "../../robots/page/page-ownership.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { closeWith, type Conversation, type ClientConnection } from "./conversation.ts";
 
-type PageConnection = Pick<ClientConnection, "send" | "close" | "isOpen">;
+type PageSocket = Pick<ClientConnection, "send" | "close" | "isOpen">;
 
 export class PageConversation implements Conversation {
   readonly #grant: Grant;
-  readonly #port: PageConnection;
-  readonly #link: PageLink;
+  readonly #port: PageSocket;
+  readonly #connection: PageConnection;
   #hasResumed = false;
   /** version of the rights at the last successful check */
   #checkedAt = -1;
 
-  constructor(grant: Grant, port: PageConnection) {
+  constructor(grant: Grant, port: PageSocket) {
     this.#grant = grant;
     this.#port = port;
-    this.#link = {
+    this.#connection = {
       get isOpen() {
         return port.isOpen;
       },
@@ -48,24 +48,24 @@ export class PageConversation implements Conversation {
       const resume = decodeFrame(resumeSchema, bytes.toString());
       if (!resume.ok) return this.#refuse(resume.problems);
       this.#hasResumed = true;
-      return robot.page.acquire(this.#link, resume.value);
+      return robot.page.acquire(this.#connection, resume.value);
     }
     const report = readSnapshotMessage(bytes);
     if (report !== null) {
-      robot.page.receiveSnapshot(this.#link, report.epoch, report.snapshot);
+      robot.page.receiveSnapshot(this.#connection, report.epoch, report.snapshot);
       return undefined;
     }
     const message = decodeFrame(pageToRelaySchema, bytes.toString());
     if (!message.ok) return this.#refuse(message.problems);
-    return robot.page.receive(this.#link, message.value);
+    return robot.page.receive(this.#connection, message.value);
   }
 
   heartbeat(): void {
-    this.#link.send({ type: "heartbeat" });
+    this.#connection.send({ type: "heartbeat" });
   }
 
   closed(isClosedByClient: boolean): void {
-    this.#grant.robot.page.leave(this.#link, isClosedByClient);
+    this.#grant.robot.page.leave(this.#connection, isClosedByClient);
   }
 
   #refuse([first]: FieldProblem[]): undefined {

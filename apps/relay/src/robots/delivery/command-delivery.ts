@@ -8,12 +8,12 @@ import { keyId } from "../../platform/keys.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { RobotStore, TermedRecord } from "../../store/robot-store.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { PageLink, PageOwnership, OwningPage } from "../page/page-ownership.ts";
+import type { PageConnection, PageOwnership, OwningPage } from "../page/page-ownership.ts";
 import type { CoalescedTimers, Waiter } from "../../platform/time/coalesced-timers.ts";
 
 /** Commands that are marked as delivered and are to be sent now. */
 export interface Due {
-  link: PageLink;
+  connection: PageConnection;
   commands: TermedRecord[];
   /** when they were marked */
   now: number;
@@ -52,19 +52,19 @@ export class CommandDelivery {
     const { robot, store, clock, ownership } = this.#parts;
     const { page } = ownership;
     if (page === null || page.isReleasing) return null;
-    const { link, epoch } = page;
+    const { connection, epoch } = page;
     const now = clock.now();
     try {
       // After most commands there is nothing more to deliver, which needs no query to detect.
       if (store.current(robot)?.isWindowFull(limits.deliveredWindow) === true) return null;
       return {
-        link,
+        connection,
         commands: await store.commit(robot, deliverStep(epoch, limits.deliveredWindow, now)),
         now,
       };
     } catch {
       // The commands stay stored. The page reconnects after this close code and receives them then.
-      link.close(closeReasons.busy);
+      connection.close(closeReasons.busy);
       return null;
     }
   }
@@ -74,7 +74,7 @@ export class CommandDelivery {
     if (due.commands.length > 0) {
       // The display may hold one of these commands as waiting, so that is shown first.
       this.#parts.display.flush();
-      due.link.send(...due.commands.map((each) => commandFrame(each, due.now)));
+      due.connection.send(...due.commands.map((each) => commandFrame(each, due.now)));
     }
     this.#parts.sent(due.commands.map(({ record }) => record));
   }
@@ -134,19 +134,19 @@ export class PageDisplay implements Waiter {
     const page = this.#page();
     if (page === null) return;
     this.#held.push(...commands);
-    this.#showWhenDue(page.link);
+    this.#showWhenDue(page.connection);
   }
 
   /** Sends a message to the page, after the held commands. */
   sendWith(message: RelayToPage): void {
     const page = this.#page();
-    if (page !== null) this.#send(page.link, message);
+    if (page !== null) this.#send(page.connection, message);
   }
 
   /** Shows the held commands. Callers flush before the page receives one of them. */
   flush(): void {
     const page = this.#page();
-    if (page !== null && this.#held.length > 0) this.#send(page.link);
+    if (page !== null && this.#held.length > 0) this.#send(page.connection);
   }
 
   wake(): void {
@@ -165,16 +165,16 @@ export class PageDisplay implements Waiter {
     return page;
   }
 
-  #showWhenDue(link: PageLink): void {
+  #showWhenDue(connection: PageConnection): void {
     if (this.#held.length === 0) return;
     const waitMs = this.#shownAt + limits.shownIntervalMs - this.#clock.now();
-    if (waitMs <= 0) return this.#send(link);
+    if (waitMs <= 0) return this.#send(connection);
     if (this.#isArmed) return;
     this.#isArmed = true;
     this.#timers.wakeAfter(waitMs, this);
   }
 
-  #send(link: PageLink, ...more: RelayToPage[]): void {
+  #send(connection: PageConnection, ...more: RelayToPage[]): void {
     const shown = this.#held.map(({ record, ttl }): RelayToPage => ({
       type: "state",
       record,
@@ -182,6 +182,6 @@ export class PageDisplay implements Waiter {
     }));
     if (shown.length > 0) this.#shownAt = this.#clock.now();
     this.#held = [];
-    link.send(...shown, ...more);
+    connection.send(...shown, ...more);
   }
 }

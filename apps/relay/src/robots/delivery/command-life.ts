@@ -29,7 +29,7 @@ import { CommandRecall } from "./command-recall.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { PageHandover, type Settled } from "../page/page-handover.ts";
-import type { PageLink, PageOwnership } from "../page/page-ownership.ts";
+import type { PageConnection, PageOwnership } from "../page/page-ownership.ts";
 import type { RobotChannel } from "../channel/robot-channel.ts";
 import type { CommandObserver } from "./command-observer.ts";
 
@@ -119,7 +119,7 @@ export class CommandLife {
       work: this.#work,
       ended: (commands) => this.#endedHere(commands),
       ask: (seq, cause) => {
-        ownership.page?.link.send({ type: "cancel", seq, cause });
+        ownership.page?.connection.send({ type: "cancel", seq, cause });
         channel.cancel(seq, cause);
       },
     });
@@ -135,17 +135,21 @@ export class CommandLife {
    * disconnected.
    * @param acquired called when the page owns the robot, before commands are delivered to it
    */
-  async acquirePage(link: PageLink, resume: Resume, acquired: () => void): Promise<void> {
+  async acquirePage(
+    connection: PageConnection,
+    resume: Resume,
+    acquired: () => void,
+  ): Promise<void> {
     await this.#arrivals.run(async () => {
       const settled = await this.handover.settle(resume);
       // The page disconnected while the previous page released the robot. That one may reconnect.
-      if (!link.isOpen) return;
-      await this.#admitPage(link, resume, { ...settled, acquired });
+      if (!connection.isOpen) return;
+      await this.#admitPage(connection, resume, { ...settled, acquired });
     });
   }
 
   async #admitPage(
-    link: PageLink,
+    connection: PageConnection,
     resume: Resume,
     { epoch: settled, left, acquired }: Settled & { acquired: () => void },
   ): Promise<void> {
@@ -165,17 +169,17 @@ export class CommandLife {
         }),
       );
       if (taken === null || this.#end !== null)
-        return link.close(closeReasons[this.#end ?? "over"]);
+        return connection.close(closeReasons[this.#end ?? "over"]);
       // Another relay's page may be newer, and its message may arrive before this response.
       if (this.#ownership.isElsewhere && this.#ownership.epoch > taken.epoch)
-        return link.close(closeReasons.replaced);
-      this.#ownership.page?.link.close(closeReasons.replaced);
-      this.#ownership.take({ link, epoch: taken.epoch, name });
+        return connection.close(closeReasons.replaced);
+      this.#ownership.page?.connection.close(closeReasons.replaced);
+      this.#ownership.take({ connection, epoch: taken.epoch, name });
       this.#channel.pageConnected(taken.epoch, name);
       const at = this.#clock.now();
-      link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
+      connection.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
-      for (const { seq } of endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
+      for (const { seq } of endings) this.#answerEnding(connection, seq, refused.get(seq) ?? null);
       acquired();
       this.#publishStates(taken.changed);
       await this.recall.repeatRequests();
@@ -186,7 +190,7 @@ export class CommandLife {
 
   /** Handles a page's report that a command started or ended, or that it released the robot. */
   async receiveFromPage(
-    link: PageLink,
+    connection: PageConnection,
     message: Extract<PageToRelay, { type: "started" | "ended" | "yielded" }>,
   ): Promise<void> {
     await this.#work.run(async () => {
@@ -194,18 +198,18 @@ export class CommandLife {
       // robot.
       if (message.epoch !== this.#ownership.epoch) return;
       try {
-        await this.#heed(link, message);
+        await this.#heed(connection, message);
       } catch (error) {
         // No later report may count after this failure. The page repeats all of them when it
         // reconnects.
-        link.close(closeReasons.busy);
+        connection.close(closeReasons.busy);
         throw error;
       }
     });
   }
 
   async #heed(
-    link: PageLink,
+    connection: PageConnection,
     message: Parameters<CommandLife["receiveFromPage"]>[1],
   ): Promise<void> {
     switch (message.type) {
@@ -213,11 +217,11 @@ export class CommandLife {
         return this.#started(message.epoch, message.seq);
       case "ended": {
         const { type: _type, epoch, ...ending } = message;
-        return this.#ended(link, epoch, ending);
+        return this.#ended(connection, epoch, ending);
       }
       case "yielded":
         // All earlier reports of the page are stored by now.
-        if (link.isOpen) this.handover.yielded(message.epoch, true);
+        if (connection.isOpen) this.handover.yielded(message.epoch, true);
         return;
     }
   }
@@ -246,7 +250,7 @@ export class CommandLife {
     this.#delivery.send(await due);
   }
 
-  async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
+  async #ended(connection: PageConnection, epoch: number, ending: Ending): Promise<void> {
     const ended = this.#store.commit(this.#robot, endStep(epoch, ending));
     const due = this.#delivery.take();
     const { outcome, record } = await ended;
@@ -258,7 +262,7 @@ export class CommandLife {
     const isStored = outcome === "over" && record !== null && !hasEnded(record.state);
     if (!isStored) {
       const isRepeated = record?.state === ending.state;
-      this.#answerEnding(link, ending.seq, isRepeated ? null : record);
+      this.#answerEnding(connection, ending.seq, isRepeated ? null : record);
     }
     if (outcome === "ended") this.#publishStates([record]);
     this.#delivery.send(await due);
@@ -268,8 +272,8 @@ export class CommandLife {
    * Confirms an ending. In both cases the page need not send it again.
    * @param other the record with its earlier, different ending; null: there is none
    */
-  #answerEnding(link: PageLink, seq: number, other: CommandRecord | null): void {
-    link.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
+  #answerEnding(connection: PageConnection, seq: number, other: CommandRecord | null): void {
+    connection.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
   }
 
   // --- time ---

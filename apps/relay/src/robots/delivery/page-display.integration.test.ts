@@ -51,13 +51,13 @@ function withOwnership() {
   let epoch = 0;
   const newPage = (): string[][] => {
     const writes: string[][] = [];
-    const link = {
+    const connection = {
       isOpen: true,
       send: (...messages: RelayToPage[]) => void writes.push(messages.map(inWords)),
       close: () => undefined,
     };
     epoch += 1;
-    ownership.take({ link, epoch, name: "" });
+    ownership.take({ connection, epoch, name: "" });
     return writes;
   };
   return { clock, ownership, display, newPage };

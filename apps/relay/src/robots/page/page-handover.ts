@@ -82,12 +82,12 @@ export class PageHandover {
   ask(epoch: number): boolean {
     const { page } = this.#ownership;
     if (page?.epoch !== epoch) return false;
-    const { link } = page;
+    const { connection } = page;
     page.isReleasing = true;
-    link.send({ type: "yield" });
+    connection.send({ type: "yield" });
     // No other page acquired the robot. This page may reconnect and own it again.
     this.#clock.after(2 * limits.yieldMs, () => {
-      if (this.#ownership.isHeldBy(link)) link.close(closeReasons.busy);
+      if (this.#ownership.isHeldBy(connection)) connection.close(closeReasons.busy);
     });
     return true;
   }

@@ -5,7 +5,7 @@
 import type { CloseReason, RelayToPage } from "@corridor/protocol";
 
 /** The connection of a robot's page, as the robot uses it. */
-export interface PageLink {
+export interface PageConnection {
   /** false once the page disconnected or was closed */
   readonly isOpen: boolean;
   /** Sends the messages together, in order. */
@@ -14,7 +14,7 @@ export interface PageLink {
 }
 
 export interface OwningPage {
-  link: PageLink;
+  connection: PageConnection;
   epoch: number;
   /** identifies the page across its connections; empty if the page sends none */
   name: string;
@@ -82,8 +82,8 @@ export class PageOwnership {
     return this.#isInDoubt;
   }
 
-  isHeldBy(link: PageLink): boolean {
-    return this.#page?.link === link;
+  isHeldBy(connection: PageConnection): boolean {
+    return this.#page?.connection === connection;
   }
 
   disconnectedMs(now: number): number {

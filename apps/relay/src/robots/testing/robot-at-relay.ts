@@ -18,7 +18,7 @@ import { SqliteRobotStore } from "../../store/sqlite/sqlite-robot-store.ts";
 import { cutStore } from "../../store/cases/cut-store.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { testFolder } from "../../testing/test-relay.ts";
-import type { PageLink } from "../page/page-ownership.ts";
+import type { PageConnection } from "../page/page-ownership.ts";
 import { RobotRegistry } from "../registry.ts";
 
 /** No-op parts of a reader. */
@@ -92,7 +92,7 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
   const closed: number[] = [];
   let epoch = 0;
   let isOpen = true;
-  const link: PageLink = {
+  const connection: PageConnection = {
     get isOpen() {
       return isOpen;
     },
@@ -105,8 +105,8 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
       closed.push(code);
     },
   };
-  const yielded = async () => robot.page.receive(link, { type: "yielded", epoch });
-  await robot.page.acquire(link, {
+  const yielded = async () => robot.page.receive(connection, { type: "yielded", epoch });
+  await robot.page.acquire(connection, {
     type: "resume",
     lastApplied: 0,
     fresh: false,
@@ -120,14 +120,14 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
   return {
     sent,
     closed,
-    link,
+    connection,
     epoch,
     seqs,
     yielded,
-    started: (seq: number) => robot.page.receive(link, { type: "started", epoch, seq }),
-    ended: (ending: Ending) => robot.page.receive(link, { type: "ended", epoch, ...ending }),
+    started: (seq: number) => robot.page.receive(connection, { type: "started", epoch, seq }),
+    ended: (ending: Ending) => robot.page.receive(connection, { type: "ended", epoch, ...ending }),
     report: (change = {}) =>
-      robot.page.receive(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
+      robot.page.receive(connection, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
   };
 }
 

@@ -1,5 +1,5 @@
 /** Opens a big screen: it only receives, and shows no names. */
-import { ShowLink } from "@corridor/client/show";
+import { ScreenConnection } from "@corridor/client/show";
 import { readLesson } from "@corridor/challenge/document";
 import { readValue, screenContentSchema } from "@corridor/protocol";
 import type { ReactNode } from "react";
@@ -41,7 +41,7 @@ export function openBigScreen({ id, key, tools }: BigScreenParts): ReactNode {
       await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
     }
   };
-  const link = new ShowLink({
+  const connection = new ScreenConnection({
     origin: location.origin,
     id,
     key,
@@ -70,7 +70,7 @@ export function openBigScreen({ id, key, tools }: BigScreenParts): ReactNode {
       store.setState({ status: kind });
     },
   });
-  window.addEventListener("online", () => link.open());
+  window.addEventListener("online", () => connection.open());
   return <BigScreen store={store} tools={tools} />;
 }
 

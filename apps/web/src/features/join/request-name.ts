@@ -1,5 +1,9 @@
 /** Asks the class for another name, before the student's page connects. Loaded on first use. */
-import { LearnLink, type ClassMessage, type LearnLinkOptions } from "@corridor/client/learn";
+import {
+  StudentConnection,
+  type ClassMessage,
+  type StudentConnectionOptions,
+} from "@corridor/client/learn";
 import type { JoinedClass, StudentName } from "@corridor/protocol";
 import type { ClassEnding } from "../../simulator/protocol/class-messages.ts";
 import { endingOf } from "../../simulator/protocol/class-ending.ts";
@@ -19,11 +23,11 @@ export type RenameAnswer =
 export function requestName(
   { class: id, key }: JoinedClass,
   origin: string,
-  platform?: NonNullable<LearnLinkOptions["platform"]>,
+  platform?: NonNullable<StudentConnectionOptions["platform"]>,
 ): Promise<RenameAnswer> {
   return new Promise((resolve) => {
     const end = (answer: RenameAnswer): void => {
-      link.close();
+      connection.close();
       resolve(answer);
     };
     const receive = (message: ClassMessage): void => {
@@ -36,13 +40,13 @@ export function requestName(
         end({ ok: false, reason: isRefused ? "refused" : "offline" });
       }
     };
-    const link: LearnLink = new LearnLink({
+    const connection: StudentConnection = new StudentConnection({
       origin,
       id,
       key,
       onMessage: receive,
       onStatus: (status) => {
-        if (status.kind === "connected") link.send({ type: "name" });
+        if (status.kind === "connected") connection.send({ type: "name" });
         if (status.kind === "lost") end({ ok: false, reason: "offline" });
         if (status.kind === "over") end({ ok: false, reason: endingOf(status.reason.code) });
       },

@@ -1,5 +1,9 @@
 /** The dashboard's connection to a class: reads it, follows its events, and reads its lessons. */
-import { TeachLink, type TeacherMessage, type TeachLinkOptions } from "@corridor/client/teach";
+import {
+  TeacherConnection,
+  type TeacherMessage,
+  type TeacherConnectionOptions,
+} from "@corridor/client/teach";
 import { readLesson } from "@corridor/challenge/document";
 import {
   classViewSchema,
@@ -42,14 +46,14 @@ export interface ClassroomPorts {
   /** The picture of these students may have changed. */
   onTiles(students: readonly number[]): void;
   /** default: the worker's own */
-  platform?: NonNullable<TeachLinkOptions["platform"]>;
+  platform?: NonNullable<TeacherConnectionOptions["platform"]>;
 }
 
 export class ClassroomHost {
   readonly #ports: ClassroomPorts;
   readonly #room: Classroom;
   readonly roster: Roster;
-  #link: TeachLink | null = null;
+  #connection: TeacherConnection | null = null;
   #view: Pick<ClassView, "expected"> & { createdAt: number } = { expected: null, createdAt: 0 };
   #settings: ClassSettings | null = null;
   #time: ClassTime = { at: 0, activeMs: 0, pauseEndsAt: null, ahead: 0 };
@@ -73,7 +77,7 @@ export class ClassroomHost {
 
   /** Reconnects at once instead of waiting for the next attempt. */
   again(): void {
-    this.#link?.open();
+    this.#connection?.open();
   }
 
   /** Sends a message to the relay; drops it while there is no connection. */
@@ -82,7 +86,7 @@ export class ClassroomHost {
       this.roster.watch(message.student);
       this.#postSoon();
     }
-    this.#link?.send(message);
+    this.#connection?.send(message);
   }
 
   /** Reads the class, and connects after the first time. */
@@ -108,7 +112,7 @@ export class ClassroomHost {
     this.#queued = null;
     if (this.#isOutdated) void this.#read();
     this.#postSoon();
-    this.#link ??= new TeachLink({
+    this.#connection ??= new TeacherConnection({
       origin: this.#ports.origin,
       id: this.#room.id,
       key: this.#room.key,
@@ -190,7 +194,7 @@ export class ClassroomHost {
         // The network may come back.
       }
       if (this.#isOver) return null;
-      if (this.#link === null) this.#ports.post({ type: "status", status: { kind: "lost" } });
+      if (this.#connection === null) this.#ports.post({ type: "status", status: { kind: "lost" } });
       await new Promise<void>((resolve) => this.#ports.after(RETRY_MS, resolve));
     }
   }
@@ -198,7 +202,7 @@ export class ClassroomHost {
   #end(kind: "over" | "refused"): void {
     if (this.#isOver) return;
     this.#isOver = true;
-    this.#link?.close();
+    this.#connection?.close();
     this.#post();
     this.#ports.post({ type: "status", status: { kind } });
   }

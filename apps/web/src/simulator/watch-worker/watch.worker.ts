@@ -2,7 +2,7 @@
  * Entry of a viewer's worker: the connection to the relay and the drawing of the stage, so that the
  * page is idle while the robot moves. A thin shell; the displayed state is in `watch-mirror.ts`.
  */
-import { WatchLink } from "@corridor/client/watch";
+import { WatchConnection } from "@corridor/client/watch";
 import { readMaze } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
 import type { Frame } from "../../stage/drawing/frame.ts";
@@ -21,7 +21,7 @@ const worker = self as unknown as DedicatedWorkerGlobalScope;
 const post = (message: FromWatcher): void => worker.postMessage(message);
 const now = (): number => performance.now();
 
-let link: WatchLink | null = null;
+let connection: WatchConnection | null = null;
 let sent: Snapshot | null = null;
 let sentAt = Number.NEGATIVE_INFINITY;
 let sending: ReturnType<typeof setTimeout> | undefined;
@@ -47,17 +47,17 @@ const painter = new StagePainter({
 
 worker.onmessage = ({ data }: MessageEvent<ToWatcher>) => {
   if (data.type === "watch") return watch(data.robot);
-  if (data.type === "watch-again") return link?.open();
+  if (data.type === "watch-again") return connection?.open();
   return painter.handle(data);
 };
 
 function watch(robot: WatchedRobot | null): void {
-  link?.close();
-  link = null;
+  connection?.close();
+  connection = null;
   marks.clear();
   if (robot === null) return;
   const { id, key } = robot;
-  link = new WatchLink({
+  connection = new WatchConnection({
     origin: worker.location.origin,
     id,
     key,

@@ -1,9 +1,9 @@
 /** The student's connection to a class. Loads when the page of a student connects. */
 import {
-  LearnLink,
+  StudentConnection,
   type ClassMessage,
   type ConnectionStatus,
-  type LearnLinkOptions,
+  type StudentConnectionOptions,
 } from "@corridor/client/learn";
 import { endingOf } from "../protocol/class-ending.ts";
 import type {
@@ -32,13 +32,13 @@ export interface ClassHostPorts {
   /** Calls once after `ms`. @returns a function that cancels the call */
   after(ms: number, call: () => void): () => void;
   /** default: the worker's own */
-  platform?: NonNullable<LearnLinkOptions["platform"]>;
+  platform?: NonNullable<StudentConnectionOptions["platform"]>;
 }
 
 export class ClassHost {
   readonly #ports: ClassHostPorts;
   /** null: not opened, closed, or ended by the relay */
-  #link: LearnLink | null = null;
+  #connection: StudentConnection | null = null;
   #key: string | null = null;
   #status: ClassStatus = { kind: "connecting" };
   #student: ClassStudent | null = null;
@@ -56,10 +56,10 @@ export class ClassHost {
   /** Sends a tile if it is due. @param hasChanged whether the run has changed since the last call */
   update(hasChanged: boolean): void {
     if (hasChanged) this.#tiles.changed();
-    const link = this.#link;
-    if (link?.isConnected !== true) return;
+    const connection = this.#connection;
+    if (connection?.isConnected !== true) return;
     const tile = this.#tiles.take(this.#student?.watched === true);
-    if (tile !== null) link.send({ type: "tile", tile });
+    if (tile !== null) connection.send({ type: "tile", tile });
   }
 
   handle(request: ClassRequest): void {
@@ -70,28 +70,28 @@ export class ClassHost {
         return this.#close();
       case "help":
         // The welcome of the next connection would replace it.
-        if (this.#link?.isConnected !== true) return;
+        if (this.#connection?.isConnected !== true) return;
         this.#change({ helpWanted: request.wanted });
         return this.#sendHelp();
       case "name":
-        if (this.#link?.isConnected !== true) return;
-        this.#link.send({ type: "name" });
+        if (this.#connection?.isConnected !== true) return;
+        this.#connection.send({ type: "name" });
         return this.#change({ rename: "requested" });
       case "send":
-        return this.#link?.send(request.report);
+        return this.#connection?.send(request.report);
       case "place":
         return this.#tiles.place(request.place);
     }
   }
 
   #open(id: string, key: string): void {
-    if (this.#link !== null && key === this.#key) return this.#link.open();
+    if (this.#connection !== null && key === this.#key) return this.#connection.open();
     this.#close();
     if (key !== this.#key) this.#student = null;
     this.#key = key;
     const { origin, platform } = this.#ports;
     // The first status arrives before the constructor returns.
-    this.#link = new LearnLink({
+    this.#connection = new StudentConnection({
       origin,
       id,
       key,
@@ -104,8 +104,8 @@ export class ClassHost {
   #close(): void {
     this.#cancelHelp?.();
     this.#cancelHelp = null;
-    this.#link?.close();
-    this.#link = null;
+    this.#connection?.close();
+    this.#connection = null;
   }
 
   #received(message: ClassMessage): void {
@@ -165,8 +165,8 @@ export class ClassHost {
   #sendHelp(): void {
     const wanted = this.#student?.helpWanted ?? false;
     if (this.#cancelHelp !== null || wanted === this.#sentHelp) return;
-    if (this.#link?.isConnected !== true) return;
-    this.#link.send({ type: "help", wanted });
+    if (this.#connection?.isConnected !== true) return;
+    this.#connection.send({ type: "help", wanted });
     this.#sentHelp = wanted;
     this.#cancelHelp = this.#ports.after(HELP_INTERVAL_MS, () => {
       this.#cancelHelp = null;
@@ -176,7 +176,7 @@ export class ClassHost {
 
   #linkChanged(status: ConnectionStatus): void {
     if (status.kind !== "over") return this.#setStatus({ kind: status.kind });
-    this.#link = null;
+    this.#connection = null;
     return this.#setStatus({ kind: "over", reason: endingOf(status.reason.code) });
   }
 

@@ -3,7 +3,7 @@
  * report a network before requests get through.
  */
 import type * as ClientLibrary from "@corridor/client/host";
-import type { HostLinkOptions } from "@corridor/client/host";
+import type { HostConnectionOptions } from "@corridor/client/host";
 import type { RemoteSession, RemoteStatus } from "../protocol/worker-messages.ts";
 
 export interface RegistrationPorts {
@@ -11,7 +11,7 @@ export interface RegistrationPorts {
   /** origin of the relay */
   origin: string;
   fetch: Parameters<typeof ClientLibrary.registerRobot>[1];
-  platform: HostLinkOptions["platform"];
+  platform: HostConnectionOptions["platform"];
   /** false once another attempt to connect has started */
   isCurrent: () => boolean;
   onStatus: (status: RemoteStatus) => void;

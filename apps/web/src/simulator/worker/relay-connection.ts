@@ -1,6 +1,6 @@
 /**
- * The relay link of the run: scripts drive it, and the relay receives its snapshots. Loads when
- * Remote opens for the first time.
+ * The relay connection of the run: scripts drive it, and the relay receives its snapshots. Loads
+ * when Remote opens for the first time.
  */
 import { RemoteDriver } from "../drivers/remote-driver.ts";
 import type { CellMark } from "@corridor/protocol";
@@ -10,7 +10,7 @@ import type { RunLoop } from "./run-loop.ts";
 import { SnapshotThrottle } from "./snapshot-throttle.ts";
 import type { WorldJournal } from "./world-store.ts";
 
-export interface RelayLinkPorts extends Pick<
+export interface RelayConnectionPorts extends Pick<
   RemoteHostPorts,
   "origin" | "onView" | "save" | "restored"
 > {
@@ -19,13 +19,13 @@ export interface RelayLinkPorts extends Pick<
   now: () => number;
 }
 
-export class RelayLink {
+export class RelayConnection {
   readonly host: RemoteHost;
   readonly #run: RunLoop;
   readonly #throttle: SnapshotThrottle;
   readonly #marks: MarkedCells;
 
-  constructor({ run, now, ...ports }: RelayLinkPorts) {
+  constructor({ run, now, ...ports }: RelayConnectionPorts) {
     this.#run = run;
     this.#throttle = new SnapshotThrottle(now);
     this.#marks = new MarkedCells(() => run.updates.changed());

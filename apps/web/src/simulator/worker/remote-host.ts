@@ -1,8 +1,13 @@
 /**
- * The robot at the relay: registers it, maintains the link, and lists the endings of commands for
- * the Remote panel. The client library loads with the first connection.
+ * The robot at the relay: registers it, maintains the connection, and lists the endings of commands
+ * for the Remote panel. The client library loads with the first connection.
  */
-import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
+import type {
+  CommandJournal,
+  HostConnection,
+  HostConnectionOptions,
+  HostStatus,
+} from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
 import { expiredReason, RELOADED_REASON } from "@corridor/protocol";
 import type {
@@ -54,8 +59,8 @@ export interface RemoteHostPorts {
   reset(): void;
   /** these scripts are alive, so that the leases of their motions are renewed */
   renew(alive: readonly AliveDriver[]): void;
-  /** stores the world with `journal` before an ending is sent; see `HostLinkOptions` */
-  save?: NonNullable<HostLinkOptions["save"]>;
+  /** stores the world with `journal` before an ending is sent; see `HostConnectionOptions` */
+  save?: NonNullable<HostConnectionOptions["save"]>;
   /** the journal of the restored world, with its robot */
   restored?: () => (CommandJournal & { robot: string }) | null;
   fetch: (
@@ -63,9 +68,9 @@ export interface RemoteHostPorts {
     request: { method: string; headers?: Record<string, string>; body?: string },
   ) => Promise<{ status: number; text(): Promise<string> }>;
   /** scripts draw over the maze */
-  onMarks?: NonNullable<HostLinkOptions["onMarks"]>;
+  onMarks?: NonNullable<HostConnectionOptions["onMarks"]>;
   /** default: the worker's own */
-  platform?: NonNullable<HostLinkOptions["platform"]>;
+  platform?: NonNullable<HostConnectionOptions["platform"]>;
 }
 
 export class RemoteHost implements RemoteDriverEvents {
@@ -77,7 +82,7 @@ export class RemoteHost implements RemoteDriverEvents {
    * of `#session`; retained while it is closed, because it knows delivered commands and their
    * endings
    */
-  #link: HostLink | null = null;
+  #connection: HostConnection | null = null;
   readonly #mazes: MazePublisher;
   #status: RemoteStatus = { kind: "off" };
   #drivers = noDrivers;
@@ -98,26 +103,28 @@ export class RemoteHost implements RemoteDriverEvents {
   /** Endings of commands, to be stored with the world; null without a robot. */
   get journal(): (CommandJournal & { robot: string }) | null {
     const robot = this.#session?.id;
-    return robot === undefined || this.#link === null ? null : { ...this.#link.journal, robot };
+    return robot === undefined || this.#connection === null
+      ? null
+      : { ...this.#connection.journal, robot };
   }
 
-  /** Whether there is a link that needs snapshots. */
+  /** Whether there is a connection that needs snapshots. */
   get isOpen(): boolean {
-    return this.#link?.isConnected === true;
+    return this.#connection?.isConnected === true;
   }
 
   /**
-   * Opens the link; without a session a robot is registered first. The current session is reopened,
-   * or retried at once; for another one, all delivered commands end first.
+   * Opens the connection; without a session a robot is registered first. The current session is
+   * reopened, or retried at once; for another one, all delivered commands end first.
    * @param fresh whether no command of the session can still be running, because the page was
    *   reloaded
    */
   open(session: RemoteSession | null, fresh: boolean): void {
-    if (this.#link !== null && session !== null && session.id === this.#session?.id) {
+    if (this.#connection !== null && session !== null && session.id === this.#session?.id) {
       // The robot may have a new driver key since.
       const { driverKey, address } = session;
       this.#session = { ...this.#session, driverKey, address };
-      this.#link.open();
+      this.#connection.open();
       return this.#setStatus(this.#status);
     }
     this.#endSession();
@@ -134,11 +141,11 @@ export class RemoteHost implements RemoteDriverEvents {
     });
   }
 
-  /** Ends all delivered commands and closes the link; the session can be reopened. */
+  /** Ends all delivered commands and closes the connection; the session can be reopened. */
   close(): void {
     this.#attempt++;
     this.#ports.cancel("disconnected");
-    this.#link?.close();
+    this.#connection?.close();
     this.#drivers = noDrivers;
     this.#scripts = [];
     if (this.#status.kind !== "off") this.#setStatus({ kind: "off" });
@@ -152,23 +159,23 @@ export class RemoteHost implements RemoteDriverEvents {
 
   /** @param maze the robot's maze; null if it is not published */
   sendSnapshot(snapshot: Snapshot, maze: MazeDocument | null = null): void {
-    this.#link?.sendSnapshot(snapshot);
+    this.#connection?.sendSnapshot(snapshot);
     if (this.isOpen) this.#mazes.offer(maze);
   }
 
   /** Another page has claimed the stored world, and owns the robot from now on. */
   worldClaimed(): void {
-    this.#link?.worldClaimed();
+    this.#connection?.worldClaimed();
   }
 
   started(seq: number): void {
-    this.#link?.started(seq);
+    this.#connection?.started(seq);
     this.#change(seq, { state: "started" });
   }
 
   ended(seq: number, ending: Ending): void {
     this.#sweep.ended(seq, ending.reason);
-    this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
+    this.#connection?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
     this.#change(seq, ending);
   }
 
@@ -195,7 +202,7 @@ export class RemoteHost implements RemoteDriverEvents {
       restored?.robot === session.id
         ? restored
         : { lastApplied: 0, endings: fresh ? this.#endedByReload(session) : [] };
-    this.#link = new client.HostLink({
+    this.#connection = new client.HostConnection({
       origin,
       credentials: session,
       // Commands that started after the world was last stored cannot be running either.
@@ -254,10 +261,10 @@ export class RemoteHost implements RemoteDriverEvents {
 
   /** Ends a session: nothing of it may run on, or be reported under the next session's numbers. */
   #endSession(): void {
-    if (this.#link === null) return;
+    if (this.#connection === null) return;
     this.#ports.cancel("addressEnded");
-    this.#link.close();
-    this.#link = null;
+    this.#connection.close();
+    this.#connection = null;
     this.#drivers = noDrivers;
     this.#scripts = [];
   }
@@ -299,8 +306,8 @@ export class RemoteHost implements RemoteDriverEvents {
 
   #change(seq: number, change: Partial<ListedCommand>): void {
     this.#commands.change(seq, change);
-    if (this.#session !== null && this.#link !== null) {
-      this.#session = { ...this.#session, lastApplied: this.#link.lastApplied };
+    if (this.#session !== null && this.#connection !== null) {
+      this.#session = { ...this.#session, lastApplied: this.#connection.lastApplied };
     }
     this.#setStatus(this.#status);
   }

@@ -1,7 +1,7 @@
 /**
- * Entry of the simulator worker: simulation, program and relay link run here, so that they continue
- * while the page is hidden. A thin shell that handles the messages of the page; the logic is in
- * `run-loop.ts`, and in parts that load on first use.
+ * Entry of the simulator worker: simulation, program and relay connection run here, so that they
+ * continue while the page is hidden. A thin shell that handles the messages of the page; the logic
+ * is in `run-loop.ts`, and in parts that load on first use.
  */
 import { loadRaceGhosts } from "../../stage/layers/lazy-race-ghosts.ts";
 import type { ClassSession } from "../protocol/class-messages.ts";
@@ -26,7 +26,7 @@ const RECENT_MS = 2;
 /** Milliseconds until a part that did not load is loaded again. */
 const RETRY_MS = 2_000;
 
-/** The relay link did not load. */
+/** The relay connection did not load. */
 const unreachable: RemoteView = {
   status: { kind: "lost", reason: "connectionLost" },
   session: null,
@@ -80,8 +80,8 @@ const evaluation = new RunEvaluation({
 });
 
 const relay = new Lazy(async () => {
-  const { RelayLink } = await import("./relay-connection.ts");
-  return new RelayLink({
+  const { RelayConnection } = await import("./relay-connection.ts");
+  return new RelayConnection({
     run: loadedRun(),
     now,
     origin: worker.location.origin,
@@ -250,7 +250,7 @@ function control(run: RunLoop, message: RunMessage): void {
     case "remote-clear":
       return withHost((host) => host.clearCommands());
     case "hide-marks":
-      return relay.use((link) => link.hideMarks(message.isHidden));
+      return relay.use((connection) => connection.hideMarks(message.isHidden));
     case "stage-mount":
     case "stage-mount-here":
     case "stage-model":
