@@ -29,8 +29,6 @@ const ROBOT_HALF = 28;
 const SMALL = "(max-width: 37.49em), (max-height: 33.75em)";
 /** Half of the tail's side, in px. */
 const TAIL_PX = 8;
-/** Height of the legend below the drawing area, in px; messages may cover it too. */
-const LEGEND = 48;
 /** Hides the card until it is measured and placed. */
 const HIDDEN = { visibility: "hidden", left: 0, top: 0 } as const;
 
@@ -111,9 +109,10 @@ export function FloatingCard(props: FloatingCardProps) {
       const trailEnds = trailSides.map((side) => boxAt(viewport, trailEnd(pose, side)));
       const seen = [...trailEnds, ...squares];
       const { port } = layout;
+      const legend = heightBelow(scroller);
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
       // The legend is the last resort, and only on a stage that does not scroll.
-      const stage = layout.overflows ? area : { ...area, height: area.height + LEGEND };
+      const stage = layout.overflows ? area : { ...area, height: area.height + legend };
       const shaped = (shape: "tall" | "wide") => {
         element.dataset["shape"] = shape;
         return { shape, width: element.offsetWidth, height: element.offsetHeight };
@@ -133,7 +132,7 @@ export function FloatingCard(props: FloatingCardProps) {
       }
       element.dataset["shape"] = next.shape.shape;
       const above = next.y - area.y;
-      const below = area.height - above - next.shape.height + LEGEND;
+      const below = area.height - above - next.shape.height + legend;
       setHalf(above > below ? "lower" : "upper");
       setPlace(next);
     };
@@ -167,6 +166,16 @@ export function FloatingCard(props: FloatingCardProps) {
     </section>
   );
   return isDocked ? createPortal(section, dock) : section;
+}
+
+/**
+ * Height of the legend below the drawing area, in px; 0 on a narrow stage, which has none. Messages
+ * may cover it too.
+ */
+function heightBelow(scroller: Element | null | undefined): number {
+  const stage = scroller?.parentElement;
+  if (!scroller || !stage) return 0;
+  return stage.getBoundingClientRect().bottom - scroller.getBoundingClientRect().bottom;
 }
 
 /** Scrolls the containers of the dock in the panel to their top, but not the page. */
