@@ -153,6 +153,8 @@ test("offers an update in each tab, and applies it on request to one tab, with i
   const other = new CorridorPage(await context.newPage());
   await other.open();
   await other.run.click();
+  // Slow, so that the run lasts until the offer appears on any machine.
+  await corridor.speed.selectOption("0.25×");
   await corridor.run.click();
   proxy.serveNewerBuild();
   await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
