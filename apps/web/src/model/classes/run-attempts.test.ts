@@ -44,6 +44,8 @@ function newAttempts(start = { tick: 0, bumps: 0 }) {
     driveByHand: (tick: number, bumps = 0) => frame(tick, { nowDriver: "me", ...bumped(bumps) }),
     driveByScript: (tick: number, x: number) =>
       frame(tick, { nowDriver: "remote", ...bumped(0, "running", x) }),
+    showPast: (tick: number, x: number) =>
+      frame(tick, { nowDriver: "remote", view: "past", ...bumped(0, "running", x) }),
     end: (tick: number, bumps = 0) => frame(tick, { hasEnded: true, ...bumped(bumps, "paused") }),
     pause: (tick: number) => frame(tick, bumped(0, "paused")),
     reset: (after = -1) => attempts.receive({ type: "truncated", after }),
@@ -204,9 +206,12 @@ describe("the runs of a student", () => {
   });
 
   it("begin when a script moves the robot, not while the robot waits for one", () => {
-    const { runs, driveByScript, reset } = newAttempts();
+    const { runs, driveByScript, showPast, reset } = newAttempts();
     driveByScript(10, 150);
     driveByScript(20, 150);
+    // The student looks at the past of the robot meanwhile.
+    showPast(30, 600);
+    driveByScript(40, 150);
     reset();
     driveByScript(10, 150);
     driveByScript(20, 190);

@@ -129,7 +129,7 @@ export class RunAttempts {
   #frame({ snapshot, hasEnded, view, nowTick, nowDriver }: FrameMessage["frame"]): void {
     if (this.#isOpened && snapshot.state === "paused") this.#lastTick = nowTick;
     this.#isOpened = false;
-    const hasMoved = this.#hasMoved(snapshot.pose);
+    const hasMoved = view === "now" && this.#hasMoved(snapshot.pose);
     if (nowDriver === "remote" && !hasMoved) this.#lastTick = nowTick;
     this.#advance(nowTick, view === "now" ? snapshot.bumps : null, nowDriver);
     const isEnd = view === "now" && hasEnded && snapshot.state === "paused";

@@ -37,7 +37,7 @@ describe("the racers of a task", () => {
   it.each<[string, Verification]>([
     ["a claim that is not verified yet", { kind: "checking" }],
     ["a claim that fails", { kind: "fails" }],
-    ["a manual drive", { kind: "passes", claim: claimOf("a"), attempt: [] }],
+    ["a drive", { kind: "passes", claim: claimOf("a"), attempt: [] }],
   ])("do not include %s", (_, verification) => {
     expect(raceField(2, verifications(verification)).racers).toEqual([]);
   });
