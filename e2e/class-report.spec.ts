@@ -1,53 +1,22 @@
 /** How the lesson of a class ends: its report, and the links of its dashboard. */
 import { readFile } from "node:fs/promises";
-import { lessonMark, type LessonDocument } from "@corridor/challenge";
-import { encodeLink } from "@corridor/link";
-import type { Locator, Page } from "playwright/test";
+import type { Page } from "playwright/test";
 import { shownCode } from "../apps/web/src/model/classes/shown-code.ts";
-import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
-import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
+import {
+  cardOf,
+  claim,
+  nameOf,
+  opened,
+  openDashboard,
+  startClass,
+} from "./support/one-line-class.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 import { wideWindow } from "./support/window-sizes.ts";
 
 test.use(wideWindow);
-
-const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4", "Team 5"];
-const lesson: LessonDocument = {
-  ...sampleLesson,
-  name: "One line",
-  tasks: [sampleTask("one-line", "One line")],
-};
-/** For the first task of the lesson. */
-const { solution } = answers["one-line"];
-
-const opened = { kind: "opened", lesson: lessonMark(lesson), task: 1 } as const;
-
-/** A claim that the first task is solved. */
-function claim() {
-  const completion = { lesson: lessonMark(lesson), task: 0, attempt: solution };
-  const link = encodeLink({ completion });
-  if (!link.ok) throw new Error(link.code);
-  return { kind: "solved", task: 1, lines: 1, code: link.text } as const;
-}
-
-/** A class whose dashboard is open. */
-async function openDashboard(page: Page, relay: string) {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
-  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
-  return teacher;
-}
-
-function nameOf(student: ScriptedStudent): string {
-  return student.joined.name.text ?? "";
-}
-
-function cardOf(page: Page, student: ScriptedStudent): Locator {
-  return page.getByRole("button", { name: new RegExp(`^${nameOf(student)}, `) });
-}
 
 test("the report opens during the lesson, which ends with one, or leads to it, and links open only their own class", async ({
   page,
@@ -137,7 +106,7 @@ async function endWithoutReport(page: Page, relay: string): Promise<void> {
 }
 
 async function openLinks(page: Page, relay: string): Promise<void> {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const teacher = await startClass(relay);
   const { id, teacherKey, screenKey } = teacher.created;
   const open = async (keys: string): Promise<void> => {
     // Only another document reads the keys.

@@ -1,57 +1,21 @@
 /** The dashboard of a teacher: starting a class, what it shows of students, and what it sends. */
-import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import type { Locator, Page } from "playwright/test";
-import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
-import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
+import { sampleLesson } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
 import { DashboardPage } from "./pages/dashboard-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
-import { ClassTeacher } from "./support/class-teacher.ts";
+import type { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { phone } from "./support/phone.ts";
+import { cardOf, claim, opened, openDashboard, solution, wrong } from "./support/one-line-class.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 import { wideWindow } from "./support/window-sizes.ts";
 
 test.use(wideWindow);
 
-const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4", "Team 5"];
-const lesson: LessonDocument = {
-  ...sampleLesson,
-  name: "One line",
-  tasks: [sampleTask("one-line", "One line")],
-};
-/** For the first task of the lesson. */
-const { solution, wrong } = answers["one-line"];
-
-const opened = { kind: "opened", lesson: lessonMark(lesson), task: 1 } as const;
-
-/** A claim that the first task is solved. */
-function claim(attempt: typeof solution) {
-  const completion = { lesson: lessonMark(lesson), task: 0, attempt };
-  const link = encodeLink({ completion });
-  if (!link.ok) throw new Error(link.code);
-  return { kind: "solved", task: 1, lines: 1, code: link.text } as const;
-}
-
-/** A class whose dashboard is open. */
-async function openDashboard(page: Page, relay: string) {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
-  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
-  return teacher;
-}
-
 function cards(page: Page): Locator {
   return page.getByRole("list").getByRole("button", { name: /attempt/ });
-}
-
-function nameOf(student: ScriptedStudent): string {
-  return student.joined.name.text ?? "";
-}
-
-function cardOf(page: Page, student: ScriptedStudent): Locator {
-  return page.getByRole("button", { name: new RegExp(`^${nameOf(student)}, `) });
 }
 
 async function choose(page: Page, menu: string, item: string | RegExp): Promise<void> {
