@@ -11,7 +11,7 @@ import type { Channel, BusMessage, Bus } from "./bus.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
-const nothingDone = pageState({ settled: null });
+const nothingDone = pageState({ knownEpoch: null });
 const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], scripts: [] };
 
 export interface TestRelay {
@@ -25,7 +25,7 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
   const received: BusMessage[] = [];
   const missed = vi.fn<() => void>();
   const channel: Channel = await bus.join(robot, {
-    stepped: ({ added, changed }, isOwn) => {
+    commandsChanged: ({ added, changed }, isOwn) => {
       const changes = changed.map(({ seq, state }) => `${seq} ${state}`);
       if (added !== null) changes.unshift(`+${added.record.seq}`);
       steps.push(`${changes.join(", ")}${isOwn ? " (own)" : ""}`);
@@ -43,20 +43,20 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
       if (result.outcome !== "stored") throw new Error(result.outcome);
       const { record, ended } = result;
       const added = { ...sentCommand(), record };
-      channel.stepped({ added, ended, changed: ended.map((each) => each.record) });
+      channel.commandsChanged({ added, ended, changed: ended.map((each) => each.record) });
       return record.seq;
     },
     take: async () => {
       const taken = await store.commit(robot, acquireStep(nothingDone));
       if (taken === null) throw new Error("there is no such robot");
-      channel.stepped({ added: null, ended: [], changed: taken.changed });
+      channel.commandsChanged({ added: null, ended: [], changed: taken.changed });
       channel.notify({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
       return taken.epoch;
     },
     deliver: async (epoch: number) => {
       const due = await store.commit(robot, deliverStep(epoch, 8, sentCommand().acceptedAt));
       const changed = due.map(({ record }) => record);
-      channel.stepped({ added: null, ended: [], changed });
+      channel.commandsChanged({ added: null, ended: [], changed });
     },
   };
 }
@@ -75,9 +75,9 @@ export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay
   describe(`${name}: channels between relays`, () => {
     it("delivers steps to all in the same order, with their origin", async () => {
       const { a, b } = await withChannel();
-      const { returnsOwnSteps } = a.channel;
+      const { returnsOwnChanges } = a.channel;
       const received = (steps: string[]): string[] =>
-        steps.filter((step) => returnsOwnSteps || !step.endsWith("(own)"));
+        steps.filter((step) => returnsOwnChanges || !step.endsWith("(own)"));
       await a.add();
       const epoch = await b.take();
       await b.deliver(epoch);
@@ -137,7 +137,7 @@ export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay
       a.channel.notify({ kind: "cancel", seq: 3, cause: "sender" });
       await a.add();
       await a.deliver(await a.take());
-      const last = a.channel.returnsOwnSteps ? "1 delivered (own)" : undefined;
+      const last = a.channel.returnsOwnChanges ? "1 delivered (own)" : undefined;
       await vi.waitFor(() => expect(a.steps.at(-1)).toBe(last));
       expect([b.received, b.steps]).toEqual([[], []]);
     });

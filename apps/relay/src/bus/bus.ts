@@ -14,8 +14,8 @@ import type {
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { TermedRecord } from "../store/robot-store.ts";
 
-/** Changes of one step of the store. */
-export interface Step {
+/** Commands that one step of the store has changed. */
+export interface CommandChanges {
   /** an accepted command that waits */
   added: TermedRecord | null;
   /** new states, for readers */
@@ -67,11 +67,11 @@ export type BusMessage =
 
 export interface BusListener {
   /**
-   * A step of another relay, or of this one if the channel returns its own steps. All subscribers
-   * receive all steps in the same order.
+   * Changes by another relay, or by this one if the channel returns its own. All subscribers
+   * receive them in the same order.
    */
-  stepped(step: Step, isOwn: boolean): void;
-  /** Steps may have been missed. */
+  commandsChanged(changes: CommandChanges, isOwn: boolean): void;
+  /** Changes may have been missed. */
   missed(): void;
   /** A message of another relay. */
   received(message: BusMessage): void;
@@ -79,12 +79,12 @@ export interface BusListener {
 
 export interface Channel {
   /**
-   * Whether the listener also receives the steps of its own relay, in the order of all relays.
+   * Whether the listener also receives the changes by its own relay, in the order of all relays.
    * Otherwise the relay publishes them to its readers itself.
    */
-  readonly returnsOwnSteps: boolean;
-  /** Publishes a step of this relay to the others, unless the store has done so. */
-  stepped(step: Step): void;
+  readonly returnsOwnChanges: boolean;
+  /** Publishes changes by this relay to the others, unless the store has done so. */
+  commandsChanged(changes: CommandChanges): void;
   notify(message: Exclude<BusMessage, { kind: "snapshot" }>): void;
   /**
    * Sends the latest snapshot to other relays. Delivery is not guaranteed.

@@ -2,7 +2,7 @@
  * In-process message bus of a single relay. In tests, several relays of one process share one bus
  * and form a cluster.
  */
-import type { BusListener, Channel, BusMessage, Step, Bus } from "./bus.ts";
+import type { BusListener, Channel, BusMessage, CommandChanges, Bus } from "./bus.ts";
 
 interface Member {
   listener: BusListener;
@@ -28,10 +28,11 @@ export class LocalBus implements Bus {
       if (left !== null) notify({ kind: "page-left", epoch: left.epoch, closedByPage });
     };
     return {
-      returnsOwnSteps: false,
-      stepped: (step: Step) => {
-        if (step.changed.length === 0 && step.added === null) return;
-        for (const other of members) if (other !== member) other.listener.stepped(step, false);
+      returnsOwnChanges: false,
+      commandsChanged: (changes: CommandChanges) => {
+        if (changes.changed.length === 0 && changes.added === null) return;
+        for (const other of members)
+          if (other !== member) other.listener.commandsChanged(changes, false);
       },
       notify: (message) => {
         if (message.kind === "page-left") return leftPage(message.closedByPage);

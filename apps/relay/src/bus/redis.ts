@@ -178,9 +178,9 @@ export class RedisBus implements Bus {
       listener.received({ kind: "page", epoch: holder.epoch, name: holder.name });
     }
     return {
-      returnsOwnSteps: true,
+      returnsOwnChanges: true,
       // The store has published it.
-      stepped: () => undefined,
+      commandsChanged: () => undefined,
       notify: (message) => this.#publish(robot, message),
       sendSnapshot: (snapshot, relays) => this.#post.post(robot, snapshot, relays),
       // Uses the same connection as the steps, which preserves the order.
@@ -229,8 +229,8 @@ export class RedisBus implements Bus {
     if (member.n !== null && n !== member.n + 1) member.listener.missed();
     member.n = n;
     const ended = changed.filter(({ record }) => hasEnded(record.state));
-    const step = { added, ended, changed: changed.map(({ record }) => record) };
-    member.listener.stepped(step, sender === this.#options.relay);
+    const changes = { added, ended, changed: changed.map(({ record }) => record) };
+    member.listener.commandsChanged(changes, sender === this.#options.relay);
   }
 
   #onMissed(): void {

@@ -32,8 +32,8 @@ export function acquire(
   known: Pick<CommandLookup, "row" | "newest">,
 ): Acquired {
   const { admissionState } = robot;
-  const { lastApplied, fresh, settled, endings, pose, left } = page;
-  const isSettled = settled !== null && settled >= admissionState.epoch;
+  const { lastApplied, fresh, knownEpoch, endings, pose, left } = page;
+  const isKnown = knownEpoch !== null && knownEpoch >= admissionState.epoch;
   admissionState.epoch += 1;
   // A page with later commands than the store saw one that lost its newest commands.
   admissionState.lastSeq = Math.max(admissionState.lastSeq, lastApplied);
@@ -54,12 +54,12 @@ export function acquire(
   }
   for (const row of robot.open) {
     if (row.state !== "delivered") continue;
-    const cause = isSettled ? row.recalled : (`${left}-unsure` as const);
+    const cause = isKnown ? row.recalled : (`${left}-unsure` as const);
     if (row.seq <= lastApplied) change(row, { state: "started", reason: null });
     else if (cause === null) change(row, { state: "accepted", reason: null });
     else change(row, { ...ending, reason: becauseOf(cause) });
   }
-  if (fresh || !isSettled) {
+  if (fresh || !isKnown) {
     const why = { ...ending, reason: becauseOf(left) };
     for (const row of robot.open) if (row.state === "started") change(row, why);
   }
@@ -101,7 +101,7 @@ export function abandonStep(epoch: number): RobotStep<CommandRecord[] | null> {
 /**
  * Makes a page the owner of the robot, and stores what the page has done. Commands that were not
  * started return to accepted, unless they were cancelled, stopped or superseded meanwhile. If it is
- * unknown whether they started, they end as cancelled: see `PageState.settled`.
+ * unknown whether they started, they end as cancelled: see `PageState.knownEpoch`.
  * @returns null if there is no such robot
  */
 export function acquireStep(page: PageState): RobotStep<Acquired | null> {

@@ -99,7 +99,7 @@ export interface PageState {
    * Epoch of the previous owner if it is known which commands that page has not started; null:
    * unknown. Has no effect if another page has acquired the robot since.
    */
-  settled: number | null;
+  knownEpoch: number | null;
   /** why the commands of the previous page end */
   left: LeftCause;
 }

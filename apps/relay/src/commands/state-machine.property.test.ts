@@ -78,7 +78,7 @@ const rare = fc.oneof(
     .record({
       lastApplied: fc.integer({ min: 0, max: 12 }),
       fresh: fc.boolean(),
-      settled: fc.option(fc.integer({ min: 0, max: 4 })),
+      knownEpoch: fc.option(fc.integer({ min: 0, max: 4 })),
       endings: fc.array(
         seqs.map((seq) => endingOf(seq)),
         { maxLength: 2 },

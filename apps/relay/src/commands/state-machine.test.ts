@@ -98,7 +98,7 @@ const events: Record<
     ["-", "cancelled", "cancelled"],
   ],
   "another page connects": [
-    (robot) => acquire(robot, { settled: null, left: "taken-over" }),
+    (robot) => acquire(robot, { knownEpoch: null, left: "taken-over" }),
     ["-", "cancelled", "cancelled"],
   ],
 };

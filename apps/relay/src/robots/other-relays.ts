@@ -18,7 +18,7 @@ export interface OtherRelaysParts {
   ownership: PageOwnership;
   view: LiveView;
   channel: RobotChannel;
-  life: Pick<CommandLife, "handover" | "missedSteps">;
+  life: Pick<CommandLife, "handover" | "missedChanges">;
   keys: Pick<KeyRing, "refresh">;
   mazes: Pick<MazeBoard, "received" | "reload">;
   marks: Pick<MarkBoard, "received">;
@@ -31,7 +31,7 @@ export interface OtherRelaysParts {
 export class OtherRelays {
   readonly #parts: OtherRelaysParts;
   /** ends the wait for the page's relay */
-  #met: () => void = () => undefined;
+  #pageFound: () => void = () => undefined;
 
   constructor(parts: OtherRelaysParts) {
     this.#parts = parts;
@@ -40,11 +40,11 @@ export class OtherRelays {
   /**
    * If another relay has the page, waits for its response: the newest snapshot, if there is one.
    */
-  async meet(): Promise<void> {
+  async waitForPage(): Promise<void> {
     const { ownership, report, clock } = this.#parts;
     if (!ownership.isElsewhere) return;
     const { promise, resolve } = Promise.withResolvers<void>();
-    this.#met = resolve;
+    this.#pageFound = resolve;
     report.announce(true);
     const cancelTimer = clock.after(limits.firstSnapshotWaitMs, resolve);
     await promise;
@@ -57,7 +57,7 @@ export class OtherRelays {
    */
   missed(): void {
     const { life, keys, mazes } = this.#parts;
-    life.missedSteps();
+    life.missedChanges();
     keys.refresh();
     // If the store is unavailable, readers still receive the next change of the maze.
     mazes.reload().catch(() => undefined);
@@ -86,10 +86,10 @@ export class OtherRelays {
       case "snapshot":
         if (page !== null) return;
         view.receive(message.snapshot);
-        return this.#met();
+        return this.#pageFound();
       case "here":
         channel.receivedAnnouncement(message.from, message.scripts);
-        if (page === null) return this.#met();
+        if (page === null) return this.#pageFound();
         if (message.asks) this.#answer();
         return report.send();
       case "cancel":

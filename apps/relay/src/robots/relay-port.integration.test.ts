@@ -6,9 +6,9 @@ import {
 import { describe, expect, it, vi } from "vitest";
 import { maze } from "../platform/testing/sample-documents.ts";
 import { RelayPort } from "./relay-port.ts";
-import { deafReader, page, withRobot, type Host } from "./testing/robot-at-relay.ts";
+import { ignoringReader, page, withRobot, type Host } from "./testing/robot-at-relay.ts";
 
-const { transport, flow } = deafReader;
+const { transport, flow } = ignoringReader;
 
 async function world(): Promise<PortWorld> {
   const setup = await withRobot();

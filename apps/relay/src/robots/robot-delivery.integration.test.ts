@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageConnection } from "./page/page-ownership.ts";
-import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
+import { ignoringReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: delivery", () => {
   it("queues commands until the page connects, then delivers eight at a time, in order", async () => {
@@ -58,7 +58,7 @@ describe("a robot: delivery", () => {
       {
         snapshot: () => undefined,
         state: ({ record }) => said.push(record.state),
-        ...deafReader,
+        ...ignoringReader,
       },
       null,
     );

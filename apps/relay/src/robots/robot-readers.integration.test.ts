@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { settled } from "../platform/testing/fake-clock.ts";
 import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
-import { deafReader, LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
+import { ignoringReader, LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: snapshots and states for scripts", () => {
   it("sends a reader the newest snapshot at most 20 times a second", async () => {
@@ -12,7 +12,7 @@ describe("a robot: snapshots and states for scripts", () => {
     const seen: number[] = [];
     setup.robot.readers.join(
       setup.caller,
-      { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...deafReader },
+      { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...ignoringReader },
       null,
     );
     for (let seq = 1; seq <= 100; seq++) {
@@ -38,7 +38,7 @@ describe("a robot: snapshots and states for scripts", () => {
     setup.robot.readers.join(
       setup.caller,
       {
-        ...deafReader,
+        ...ignoringReader,
         snapshot,
         state: () => undefined,
         over: (reason) => over.push(reason),
@@ -70,7 +70,7 @@ describe("a robot: snapshots and states for scripts", () => {
       {
         snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
         state: ({ record }) => said.push(record.state),
-        ...deafReader,
+        ...ignoringReader,
       },
       null,
     );

@@ -1,5 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { deafReader, withRobot, page, type Setup, type Host } from "./testing/robot-at-relay.ts";
+import {
+  ignoringReader,
+  withRobot,
+  page,
+  type Setup,
+  type Host,
+} from "./testing/robot-at-relay.ts";
 
 describe("a robot: activity of its scripts", () => {
   const name = (setup: Setup): string => setup.caller.hash.slice(0, 6);
@@ -70,7 +76,7 @@ describe("a robot: activity of its scripts", () => {
     setup.robot.received(setup.caller)();
     setup.robot.readers.join(
       setup.caller,
-      { snapshot: () => undefined, state: () => undefined, ...deafReader },
+      { snapshot: () => undefined, state: () => undefined, ...ignoringReader },
       null,
     );
     expect(alive(host)).toMatchObject([{ driver: name(setup), connectionMs: 0 }]);

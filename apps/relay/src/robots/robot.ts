@@ -157,11 +157,11 @@ export class Robot {
   static async open(stored: StoredRobot, parts: RobotParts): Promise<Robot> {
     const robot = new Robot(stored, parts);
     await robot.#channel.open(parts.bus, stored.id, {
-      stepped: (step, isOwn) => robot.#life.receivedStep(step, isOwn),
+      commandsChanged: (changes, isOwn) => robot.#life.receivedChanges(changes, isOwn),
       missed: () => robot.missedMessages(),
       received: (message) => robot.#others.received(message),
     });
-    await robot.#others.meet();
+    await robot.#others.waitForPage();
     return robot;
   }
 

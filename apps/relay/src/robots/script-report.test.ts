@@ -19,7 +19,7 @@ async function withReport({ isElsewhere = false } = {}) {
   const clock = new FakeClock();
   const bus = new LocalBus();
   const atOther: BusMessage[] = [];
-  const none = { stepped: () => undefined, missed: () => undefined };
+  const none = { commandsChanged: () => undefined, missed: () => undefined };
   const other = await bus.join("robot", {
     ...none,
     received: (message) => void atOther.push(message),

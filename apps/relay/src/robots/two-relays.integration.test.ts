@@ -239,7 +239,7 @@ describe("page and script at different relays", () => {
     await clock.pass(limits.relaySilenceMs + 2_000);
     const received: string[] = [];
     await bus.join(registration.id, {
-      stepped: () => undefined,
+      commandsChanged: () => undefined,
       missed: () => undefined,
       received: ({ kind }) => received.push(kind),
     });

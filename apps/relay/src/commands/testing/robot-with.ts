@@ -83,7 +83,7 @@ export function pageWith(change: Partial<PageState> = {}): PageState {
     fresh: false,
     endings: [],
     pose: null,
-    settled: Number.MAX_SAFE_INTEGER,
+    knownEpoch: Number.MAX_SAFE_INTEGER,
     left: "reloaded",
     ...change,
   };

@@ -196,7 +196,7 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   /** ms that a message took longer than the fastest one; 0 without a timestamp */
   #transitTime(sentAt: number | undefined): number {
-    return sentAt === undefined ? 0 : this.#transit.came(sentAt, this.#options.clock.now());
+    return sentAt === undefined ? 0 : this.#transit.measure(sentAt, this.#options.clock.now());
   }
 
   heartbeat(): void {

@@ -234,7 +234,7 @@ export async function authoriseScript(
     readIntroduction(request),
   );
   const { robot, caller } = grant;
-  const transitMs = robot.scriptClocks.came(caller.hash, readScriptTime(request), arrivedAt);
+  const transitMs = robot.scriptClocks.measure(caller.hash, readScriptTime(request), arrivedAt);
   const markAnswered = robot.received(caller);
   onClose(response, markAnswered);
   const ageMs = (): number => transitMs + registry.clock.now() - arrivedAt;

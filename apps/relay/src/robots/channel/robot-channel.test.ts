@@ -18,8 +18,8 @@ async function withChannel() {
   const clock = new FakeClock();
   const sent: string[] = [];
   const joined: Channel = {
-    returnsOwnSteps: false,
-    stepped: () => undefined,
+    returnsOwnChanges: false,
+    commandsChanged: () => undefined,
     notify: () => undefined,
     sendSnapshot: ({ seq }, relays) => void sent.push(`${seq} to ${[...relays].join()}`),
     flush: () => void sent.push("flush"),
@@ -28,7 +28,7 @@ async function withChannel() {
   const bus: Bus = { join: async () => joined, close: async () => undefined };
   const channel = new RobotChannel(clock, new CoalescedTimers(clock));
   const ignore = () => undefined;
-  await channel.open(bus, "robot", { stepped: ignore, missed: ignore, received: ignore });
+  await channel.open(bus, "robot", { commandsChanged: ignore, missed: ignore, received: ignore });
   return { clock, channel, sent };
 }
 

@@ -4,7 +4,7 @@
  */
 import type { Marks, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { BusListener, Channel, Scripts, Step, Bus } from "../../bus/bus.ts";
+import type { BusListener, Channel, Scripts, CommandChanges, Bus } from "../../bus/bus.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import {
   dueAfter,
@@ -43,13 +43,13 @@ export class RobotChannel implements Waiter {
   }
 
   /** See `Channel`. Before the channel is open, nobody reads the robot at this relay. */
-  get returnsOwnSteps(): boolean {
-    return this.#channel?.returnsOwnSteps ?? true;
+  get returnsOwnChanges(): boolean {
+    return this.#channel?.returnsOwnChanges ?? true;
   }
 
-  /** Publishes a step of this relay to other relays, for their readers and for the page. */
-  stepped(step: Step): void {
-    this.#channel?.stepped(step);
+  /** Publishes changes by this relay to other relays, for their readers and for the page. */
+  commandsChanged(changes: CommandChanges): void {
+    this.#channel?.commandsChanged(changes);
   }
 
   /** @param name identifies the page across its connections */

@@ -5,7 +5,7 @@
 import { hasEnded, PAUSED_REASON, type CommandRecord, type CommandTerms } from "@corridor/protocol";
 import { addStep } from "../../commands/state-machine.ts";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { Step } from "../../bus/bus.ts";
+import type { CommandChanges } from "../../bus/bus.ts";
 import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/problems.ts";
 import type { AddResult, RobotStore, TermedRecord } from "../../store/robot-store.ts";
 import { KeyedRateLimiter } from "../../platform/limits/keyed-rate-limiter.ts";
@@ -29,8 +29,8 @@ export interface CommandIntakeParts {
   expiresAt(time: number): void;
   /** called if the store failed to respond, but may have stored a command */
   doubted(): void;
-  /** publishes a step, and shows the page what has ended */
-  stepped(step: Step): void;
+  /** publishes changes, and shows the page what has ended */
+  commandsChanged(changes: CommandChanges): void;
 }
 
 export class CommandIntake {
@@ -120,7 +120,11 @@ export class CommandIntake {
       const delivered = await due;
       const stored = { record, ...terms };
       this.#parts.expiresAt(terms.deadline);
-      this.#parts.stepped({ added: stored, ended, changed: ended.map((each) => each.record) });
+      this.#parts.commandsChanged({
+        added: stored,
+        ended,
+        changed: ended.map((each) => each.record),
+      });
       delivery.sendOrShow(stored, delivered);
     });
   }

@@ -18,7 +18,7 @@ import {
 import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
 import { endStep, expireStep, startStep } from "../../commands/state-machine.ts";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { Step } from "../../bus/bus.ts";
+import type { CommandChanges } from "../../bus/bus.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
 import type { RobotStore, TermedRecord } from "../../store/robot-store.ts";
 import type { Subscribers } from "../readers/subscribers.ts";
@@ -28,7 +28,7 @@ import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { PageHandover, type Settled } from "../page/page-handover.ts";
+import { PageHandover, type PreviousPage } from "../page/page-handover.ts";
 import type { PageConnection, PageOwnership } from "../page/page-ownership.ts";
 import type { RobotChannel } from "../channel/robot-channel.ts";
 import type { CommandObserver } from "./command-observer.ts";
@@ -110,7 +110,7 @@ export class CommandLife {
       end: () => this.#end,
       expiresAt: (time) => this.#deadlines.wake(time),
       doubted: () => this.#doubt(),
-      stepped: (step) => this.#stepped(step),
+      commandsChanged: (changes) => this.#commandsChanged(changes),
     });
     this.log = new CommandLog(robot, store, subscribers, this.#work);
     this.recall = new CommandRecall({
@@ -141,17 +141,17 @@ export class CommandLife {
     acquired: () => void,
   ): Promise<void> {
     await this.#arrivals.run(async () => {
-      const settled = await this.handover.settle(resume);
+      const previous = await this.handover.releasePrevious(resume);
       // The page disconnected while the previous page released the robot. That one may reconnect.
       if (!connection.isOpen) return;
-      await this.#admitPage(connection, resume, { ...settled, acquired });
+      await this.#admitPage(connection, resume, { ...previous, acquired });
     });
   }
 
   async #admitPage(
     connection: PageConnection,
     resume: Resume,
-    { epoch: settled, left, acquired }: Settled & { acquired: () => void },
+    { epoch: knownEpoch, left, acquired }: PreviousPage & { acquired: () => void },
   ): Promise<void> {
     const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
     await this.#work.run(async () => {
@@ -164,7 +164,7 @@ export class CommandLife {
           endings,
           pose: snapshot?.pose ?? null,
           page: name,
-          settled,
+          knownEpoch,
           left,
         }),
       );
@@ -198,7 +198,7 @@ export class CommandLife {
       // robot.
       if (message.epoch !== this.#ownership.epoch) return;
       try {
-        await this.#heed(connection, message);
+        await this.#handleReport(connection, message);
       } catch (error) {
         // No later report may count after this failure. The page repeats all of them when it
         // reconnects.
@@ -208,7 +208,7 @@ export class CommandLife {
     });
   }
 
-  async #heed(
+  async #handleReport(
     connection: PageConnection,
     message: Parameters<CommandLife["receiveFromPage"]>[1],
   ): Promise<void> {
@@ -311,18 +311,18 @@ export class CommandLife {
   /** Publishes commands that the relay has ended, and shows them to the page. */
   #endedHere(ended: readonly TermedRecord[]): void {
     const changed = ended.map(({ record }) => record);
-    this.#stepped({ added: null, changed, ended: [...ended] });
+    this.#commandsChanged({ added: null, changed, ended: [...ended] });
   }
 
   // --- other relays ---
 
-  /** Handles a step of another relay, or one of this relay that the bus returns in its order. */
-  receivedStep(step: Step, isOwn: boolean): void {
+  /** Handles changes by another relay, or by this one if the bus returns them in its order. */
+  receivedChanges(changes: CommandChanges, isOwn: boolean): void {
     const received = this.#work.run(async () => {
-      this.#subscribers.publishStates(step.changed);
+      this.#subscribers.publishStates(changes.changed);
       if (isOwn || this.#end !== null) return;
-      this.display.show(step.ended);
-      const { added } = step;
+      this.display.show(changes.ended);
+      const { added } = changes;
       if (added === null) return;
       this.intake.storedElsewhere(added);
       // The relay that stored the command may fail before the deadline.
@@ -333,8 +333,8 @@ export class CommandLife {
     received.catch(() => undefined);
   }
 
-  /** Steps may have been missed: notifies readers of the gap and delivers waiting commands. */
-  missedSteps(): void {
+  /** Changes may have been missed: notifies readers of the gap and delivers waiting commands. */
+  missedChanges(): void {
     const made = this.#work.run(async () => {
       this.#subscribers.publishMissed();
       this.#deadlines.wake(this.#clock.now());
@@ -352,15 +352,15 @@ export class CommandLife {
   }
 
   #publishStates(records: readonly CommandRecord[]): void {
-    this.#stepped({ added: null, ended: [], changed: [...records] });
+    this.#commandsChanged({ added: null, ended: [], changed: [...records] });
   }
 
-  /** Publishes a step of this relay to its readers, its page and other relays. */
-  #stepped(step: Step): void {
-    const { changed, ended } = step;
+  /** Publishes changes by this relay to its readers, its page and other relays. */
+  #commandsChanged(changes: CommandChanges): void {
+    const { changed, ended } = changes;
     for (const { state } of changed) if (hasEnded(state)) this.#observer.ended(state);
-    if (!this.#channel.returnsOwnSteps) this.#subscribers.publishStates(changed);
-    this.#channel.stepped(step);
+    if (!this.#channel.returnsOwnChanges) this.#subscribers.publishStates(changed);
+    this.#channel.commandsChanged(changes);
     if (ended.length > 0) this.display.show(ended);
   }
 

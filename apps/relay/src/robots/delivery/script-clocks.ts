@@ -22,7 +22,7 @@ export class ScriptClocks {
    * @param driver hash of its key
    * @returns ms of transit beyond the fastest request with the same clock; 0 without a time
    */
-  came(driver: string, time: ScriptTime | null, arrivedAt: number): number {
+  measure(driver: string, time: ScriptTime | null, arrivedAt: number): number {
     if (time === null) return 0;
     const ofKey = this.#clocks.get(driver) ?? new Map<string, TransitEstimate>();
     this.#clocks.set(driver, ofKey);
@@ -33,7 +33,7 @@ export class ScriptClocks {
       if (ofKey.size <= limits.clocksPerKey) break;
       ofKey.delete(oldest);
     }
-    return estimate.came(time.sentAt, arrivedAt);
+    return estimate.measure(time.sentAt, arrivedAt);
   }
 
   /** Deletes the clocks of a revoked key. */
@@ -66,7 +66,7 @@ export class TransitEstimate {
    * @param arrivedAt ms of the relay's clock
    * @returns ms of transit beyond the fastest message so far; 0 for the first, never negative
    */
-  came(sentAt: number, arrivedAt: number): number {
+  measure(sentAt: number, arrivedAt: number): number {
     // Counts the relay's time slightly slow, so that drift only lowers the offset.
     const offset = arrivedAt * (1 - LARGEST_DRIFT) - sentAt;
     this.#offset = Math.min(this.#offset, offset);

@@ -17,7 +17,7 @@ export interface PageHandoverParts {
 }
 
 /** What is known about the page that owned the robot. */
-export interface Settled {
+export interface PreviousPage {
   /** its epoch, if it is known which commands it has not started; null: unknown */
   epoch: number | null;
   /** why its commands end */
@@ -52,7 +52,7 @@ export class PageHandover {
    * Makes the owning page, here or at another relay, release the robot.
    * @param resume of the new page; the same page on a new connection reports what it has started
    */
-  async settle(resume: Resume): Promise<Settled> {
+  async releasePrevious(resume: Resume): Promise<PreviousPage> {
     const { epoch, isOwned, isInDoubt } = this.#ownership;
     if (this.isSame(resume)) return { epoch, left: "reloaded" };
     const absent: Answer = isInDoubt ? "gone" : "reported all";

@@ -111,8 +111,8 @@ export class Subscribers {
       if (reason === "blocked") return reject(scriptIsBlocked());
       return resolve();
     };
-    const deaf = { snapshot: () => undefined, state: () => undefined, maze: () => undefined };
-    const listener = { ...deaf, ...listen(resolve), missed: resolve, over };
+    const ignoring = { snapshot: () => undefined, state: () => undefined, maze: () => undefined };
+    const listener = { ...ignoring, ...listen(resolve), missed: resolve, over };
     const leave = this.#add(listener, key ?? null, "long-poll");
     const cancelTimer = this.#clock.after(milliseconds, resolve);
     signal.addEventListener("abort", () => resolve(), { once: true });

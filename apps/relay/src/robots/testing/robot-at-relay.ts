@@ -22,7 +22,7 @@ import type { PageConnection } from "../page/page-ownership.ts";
 import { RobotRegistry } from "../registry.ts";
 
 /** No-op parts of a reader. */
-export const deafReader = {
+export const ignoringReader = {
   transport: "websocket",
   flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
   began: () => undefined,

@@ -78,12 +78,12 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("records the position of the restored robot in each command that a reload has cancelled", async () => {
       const pose = { x: 50.25, y: 150, heading: 90.5 };
-      for (const settled of [Number.MAX_SAFE_INTEGER, null]) {
+      for (const knownEpoch of [Number.MAX_SAFE_INTEGER, null]) {
         const { add, store, deliver } = await withRobot();
         for (let n = 0; n < 3; n++) await add(LEFT);
         await deliver(2);
         await store.commit(ID, startStep(EPOCH, 1));
-        const page = pageState({ lastApplied: 2, fresh: true, pose, settled });
+        const page = pageState({ lastApplied: 2, fresh: true, pose, knownEpoch });
         const { changed = [] } = (await store.commit(ID, acquireStep(page))) ?? {};
         expect(changed.map(({ seq, state }) => [seq, state])).toEqual([
           [1, "cancelled"],
@@ -95,12 +95,12 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
     });
 
     it("ends the commands that the previous page may have started, and requeues none", async () => {
-      for (const settled of [null, EPOCH - 1]) {
+      for (const knownEpoch of [null, EPOCH - 1]) {
         const { add, store, states, deliver } = await withRobot();
         for (let n = 0; n < 4; n++) await add(LEFT);
         await deliver(3);
         await store.commit(ID, startStep(EPOCH, 1));
-        const state = pageState({ lastApplied: 1, settled, left: "taken-over" });
+        const state = pageState({ lastApplied: 1, knownEpoch, left: "taken-over" });
         const taken = await store.commit(ID, acquireStep(state));
         expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
           [1, because("taken-over")],
@@ -116,7 +116,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       for (let n = 0; n < 2; n++) await add(LEFT);
       await deliver(2);
       await store.commit(ID, startStep(EPOCH, 1));
-      const state = pageState({ fresh: true, settled: null, left: "reloaded" });
+      const state = pageState({ fresh: true, knownEpoch: null, left: "reloaded" });
       const { changed = [] } = (await store.commit(ID, acquireStep(state))) ?? {};
       expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
         [1, because("reloaded")],

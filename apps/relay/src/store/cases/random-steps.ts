@@ -88,7 +88,7 @@ const rare = fc.oneof(
         fc.constant(2 ** 48),
       ),
       fresh: fc.boolean(),
-      settled: fc.option(fc.integer({ min: 0, max: 5 })),
+      knownEpoch: fc.option(fc.integer({ min: 0, max: 5 })),
       endings: fc.array(seqs.map(completed), { maxLength: 2 }),
     })
     .map(

@@ -51,7 +51,7 @@ export const pageState = (state: Partial<PageState> = {}): PageState => ({
   fresh: false,
   endings: [],
   pose: null,
-  settled: Number.MAX_SAFE_INTEGER,
+  knownEpoch: Number.MAX_SAFE_INTEGER,
   left: "reloaded",
   ...state,
 });

@@ -66,7 +66,8 @@ export class FaultyRelay {
     return {
       join: async (robot, listener) => {
         const channel = await bus.join(robot, {
-          stepped: (step, isOwn) => this.#isAlive && listener.stepped(step, isOwn),
+          commandsChanged: (changes, isOwn) =>
+            this.#isAlive && listener.commandsChanged(changes, isOwn),
           missed: () => this.#isAlive && listener.missed(),
           received: (message) => this.#isAlive && listener.received(message),
         });

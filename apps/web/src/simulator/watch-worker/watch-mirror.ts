@@ -37,7 +37,7 @@ export class WatchMirror {
   #bumps: number[] = [];
   #isReset = true;
   #corner: { x: number; y: number } | null = null;
-  #hasNews = false;
+  #hasChanged = false;
 
   /** @param now monotonic milliseconds */
   constructor(now: () => number) {
@@ -53,7 +53,7 @@ export class WatchMirror {
       if (at - newest.at < 2 * MOST_GAP_MS) this.#gapMs += (gap - this.#gapMs) / 10;
     }
     this.#seen.push({ snapshot, at });
-    if (this.#seen.length === 1) this.#hasNews = true;
+    if (this.#seen.length === 1) this.#hasChanged = true;
     while (this.#seen.length > MOST_WAITING) this.#pass();
   }
 
@@ -63,8 +63,8 @@ export class WatchMirror {
     const at = (this.#shownAt = Math.max(this.#shownAt, wanted));
     while ((this.#seen[1]?.at ?? Number.POSITIVE_INFINITY) <= at) this.#pass();
     const [from, to] = this.#seen;
-    if (from === undefined || (to === undefined && !this.#hasNews)) return null;
-    this.#hasNews = false;
+    if (from === undefined || (to === undefined && !this.#hasChanged)) return null;
+    this.#hasChanged = false;
     const snapshot = to === undefined ? from.snapshot : between(from, to, at);
     const [corners, bumps, trailReset] = [this.#corners, this.#bumps, this.#isReset];
     this.#corners = [];
@@ -90,7 +90,7 @@ export class WatchMirror {
     const [from, to] = this.#seen;
     if (from === undefined || to === undefined) return;
     this.#seen.shift();
-    this.#hasNews = true;
+    this.#hasChanged = true;
     const { pose } = from.snapshot;
     if (isJump(from.snapshot, to.snapshot)) {
       this.#corners = [];

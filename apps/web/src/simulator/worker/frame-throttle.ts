@@ -17,7 +17,7 @@ const SPARE = 4;
 export class FrameThrottle {
   readonly #now: () => number;
   readonly #waiting = new FrameBuffer();
-  #hasNews = false;
+  #hasChanged = false;
   #sent: Frame | null = null;
   #sentAt = Number.NEGATIVE_INFINITY;
   #spare = SPARE;
@@ -29,13 +29,13 @@ export class FrameThrottle {
 
   add(frame: Frame): void {
     this.#waiting.add(frame);
-    this.#hasNews = true;
+    this.#hasChanged = true;
   }
 
   /** The frame to send now; null if it can wait, or if nothing changed. */
   take(): Frame | null {
     const frame = this.#waiting.newest;
-    if (!this.#hasNews || frame === null) return null;
+    if (!this.#hasChanged || frame === null) return null;
     const now = this.#now();
     const intervals = (now - this.#sentAt) / INTERVAL_MS;
     const spare = Math.min(SPARE, this.#spare + intervals);
@@ -44,7 +44,7 @@ export class FrameThrottle {
     const isEarly = intervals < 1;
     if (isEarly && !isDue(this.#sent, frame, spare)) return null;
     this.#spare = Math.max(0, spare - 1);
-    this.#hasNews = false;
+    this.#hasChanged = false;
     this.#sent = frame;
     this.#sentAt = now;
     return this.#waiting.take();

@@ -74,7 +74,7 @@ export class WorldRepository {
   update(): void {
     const { now, recording } = this.#ports;
     if (this.#isWriting || this.#isClaiming || now() - this.#wroteAt < PROGRESS_MS) return;
-    if (this.#refused === recording() || !this.#hasNews()) return;
+    if (this.#refused === recording() || !this.#hasChanged()) return;
     this.#start();
   }
 
@@ -96,7 +96,7 @@ export class WorldRepository {
     this.#isClaiming = false;
   }
 
-  #hasNews(): boolean {
+  #hasChanged(): boolean {
     const recording = this.#ports.recording();
     const { revision, run } = recording;
     const stored = this.#stored;

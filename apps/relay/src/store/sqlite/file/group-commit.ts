@@ -26,7 +26,7 @@ const IDLE_MS = 10;
 /** rows: needs a transaction. memory: adds entries. */
 export type StepKind = "rows" | "memory";
 
-interface Step {
+interface QueuedStep {
   kind: StepKind;
   /** runs the step; may run again after a rollback */
   work: () => void;
@@ -37,7 +37,7 @@ interface Step {
 
 interface Group {
   startedAt: number;
-  steps: Step[];
+  steps: QueuedStep[];
   entries: Entry[];
   /** whether it has changed rows, or may have */
   isTransaction: boolean;
@@ -139,7 +139,7 @@ export class GroupCommit {
     if (this.#timer !== null) clearTimeout(this.#timer);
   }
 
-  #do(step: Step): void {
+  #do(step: QueuedStep): void {
     const group = this.#open ?? this.#begin();
     const entries = group.entries.length;
     try {

@@ -64,7 +64,7 @@ async function onFillingDisk() {
         keep: 20_000,
       }),
     );
-  await store.commit(ID, acquireStep(pageState({ settled: 1 })));
+  await store.commit(ID, acquireStep(pageState({ knownEpoch: 1 })));
   for (let n = 0; n < 50; n++) await add({ action: "left 90" });
   await store.commit(ID, deliverStep(1, 50, 1));
   ballast.release = () => {
@@ -137,7 +137,7 @@ describe("a full disk", () => {
       expect(await store.commit(ID, endStep(1, ending))).toMatchObject({ outcome: "ended" });
     }
     expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
-    const page = pageState({ lastApplied: 50, settled: 1 });
+    const page = pageState({ lastApplied: 50, knownEpoch: 1 });
     expect(await store.commit(ID, acquireStep(page))).toMatchObject({ epoch: 2 });
     expect(await store.remove(ID)).toBe(true);
     expect(await store.find(ID)).toBeNull();
