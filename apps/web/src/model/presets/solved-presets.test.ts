@@ -24,10 +24,13 @@ function open(device = new MemoryStorage()) {
     driver: RunEvent["driver"] = "program",
   ): Promise<void> => {
     const event = { kind, driver, tick: 1, bumps: 0, line: null } as Partial<RunEvent> as RunEvent;
-    run.setState({ event });
+    run.setState({ nowTick: 1 });
     // The presets are a separate chunk.
     await import("./note-goal.ts");
     await new Promise((resolve) => setTimeout(resolve, 0));
+    run.setState({ event });
+    // A page that is closed now runs no later task.
+    await Promise.resolve();
   };
   return { device, workspace, solved, report, ids: () => solved.getState().ids };
 }

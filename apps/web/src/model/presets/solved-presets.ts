@@ -20,14 +20,14 @@ export interface SolvedPorts {
  */
 export function createSolvedStore({ run, workspace, device }: SolvedPorts): SolvedStore {
   const solved: SolvedStore = createStore(() => ({ ids: readSolved(device) }));
-  run.subscribe(({ event }, before) => {
+  let loading: Promise<typeof import("./note-goal.ts") | null> | null = null;
+  run.subscribe(({ event, nowTick }, before) => {
+    // From the first tick on, because the user may close the page at the goal.
+    if (nowTick > 0) loading ??= import("./note-goal.ts").catch(() => null);
     if (event === before.event || event?.kind !== "goal" || event.driver === "remote") return;
     const { maze } = workspace.getState();
     const { tick, bumps } = event;
-    void import("./note-goal.ts").then(
-      ({ noteGoal }) => noteGoal(device, solved, maze, { ticks: tick, bumps }),
-      () => undefined,
-    );
+    void loading?.then((loaded) => loaded?.noteGoal(device, solved, maze, { ticks: tick, bumps }));
   });
   return solved;
 }
