@@ -70,7 +70,9 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
   const isPart = useStore(challenge, ({ result }) => result.state === "here") && mazes > 1;
   // A check of the same program has already named the mazes in which it fails.
   const isChecked = useStore(challenge, ({ checked }) => checked !== null);
-  const isMetInAll = useStore(challenge, ({ result }) => result.state === "met") && mazes > 1;
+  const isMetInAll =
+    useStore(challenge, ({ result }) => result.state === "met" && result.driver === "program") &&
+    mazes > 1;
   // The clock displays the run in one of the mazes.
   const ofTime = isMetInAll ? "words:cards.solved.longestTime" : "words:cards.solved.time";
   const keepClear = useMemo(() => maze.goals, [maze]);

@@ -41,7 +41,7 @@ export function ChallengeLine() {
       <p className={styles["line"]} dir="auto">
         <Icon of={Target} size={18} />
         <span className={styles["short"]}>
-          {isChecked || !task.allowed.drivers.includes("program")
+          {isChecked || result.driver !== "program"
             ? t("missions:bar.hereOnly")
             : t("missions:bar.here", allOf(count, i18n.language))}
         </span>

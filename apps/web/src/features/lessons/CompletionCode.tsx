@@ -10,6 +10,7 @@ import { QrCode as QrIcon } from "lucide";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { mazeCount } from "../../model/challenge/challenge-store.ts";
 import { saveRun } from "../../model/run/run-requests.ts";
 import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
@@ -39,6 +40,9 @@ export function CompletionCode({ lesson, task, driver }: CompletionCodeProps) {
   const [isQrShown, setQrShown] = useState(false);
   const [isByHand, setByHand] = useState(false);
   if (attempt === undefined) return null;
+  if (driver !== "program" && mazeCount(lesson.tasks[task] ?? null) > 1) {
+    return <p className={styles["note"]}>{t("missions:code.oneDrive")}</p>;
+  }
   if (attempt === null) return <p className={styles["note"]}>{t("missions:code.mixed")}</p>;
   if (code === null) return <p className={styles["note"]}>{t("missions:code.tooLong")}</p>;
   const qr = isQrShown ? qrPath(code) : null;

@@ -1,4 +1,5 @@
-/** The mazes of a mission: which one is displayed and, after a check, which pass and which fail. */
+/** The mazes of a mission: which one is displayed and which pass and fail in the
+ * newest check, or were driven through. */
 import { Check, X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -15,6 +16,7 @@ export function MissionMazes({ service }: { service: LessonsService }) {
   const shown = useStore(store, (state) => state.maze);
   const verdict = useStore(store, (state) => state.checked);
   const outcomes = verdict?.mazes ?? [];
+  const driven = useStore(store, (state) => state.drivenMazes);
   // A bonus mission is checked automatically, without a verdict.
   const live = useStore(service.bonus.status, ({ status }) =>
     status.kind === "mazes" ? status.result.failed : null,
@@ -23,8 +25,9 @@ export function MissionMazes({ service }: { service: LessonsService }) {
     <ul className={styles["mazeList"]} aria-label={t("card.mazes")}>
       {Array.from({ length: count }, (_, at) => {
         const outcome = outcomes[at];
-        const isKnown = live !== null || outcome !== undefined;
-        const doesFail = live?.includes(at) ?? outcome?.failure !== null;
+        const isDriven = verdict === null && driven.includes(at);
+        const isKnown = live !== null || outcome !== undefined || isDriven;
+        const doesFail = live?.includes(at) ?? (!isDriven && outcome?.failure !== null);
         const state = isKnown ? (doesFail ? "fails" : "passes") : null;
         return (
           <li key={at}>

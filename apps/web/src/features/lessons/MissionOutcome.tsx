@@ -39,6 +39,7 @@ export function MissionOutcome({ task }: { task: LessonTask }) {
   const failedRun = useStore(store, (state) => state.failedRun);
   const isLesson = useStore(store, (state) => state.mission === null);
   const shown = useStore(store, (state) => state.maze);
+  const driven = useStore(store, (state) => state.drivenMazes.length);
   const stationary = useStore(
     run,
     useShallow((state) => stationaryRobot(task, state)),
@@ -53,9 +54,8 @@ export function MissionOutcome({ task }: { task: LessonTask }) {
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
   const unseen = verdict !== null && failure === verdict.failure ? verdict.failedUnseen : null;
-  // Only a program can be checked in unseen mazes.
-  const needsProgram =
-    result.state === "here" && task.unseen !== null && result.driver !== "program";
+  // The task has other mazes.
+  const isDrivenHere = result.state === "here" && result.driver !== "program";
   // In a drive by hand the student may continue, so nothing has failed while the result is open.
   const isOpen = failure === null && failedRun === null && result.state === "open";
   const text = isMet
@@ -78,8 +78,11 @@ export function MissionOutcome({ task }: { task: LessonTask }) {
           : runFailureText(ofRun, failedRun)
         : isOpen && stationary !== null && advice !== null
           ? handText(words, task, stationary.reading, advice)
-          : needsProgram
-            ? t("missions:lesson.needsProgram")
+          : isDrivenHere
+            ? task.unseen === null
+              ? t("missions:lesson.driveOthers", { done: driven, all: task.mazes.length })
+              : // Only a program can be checked in unseen mazes.
+                t("missions:lesson.needsProgram")
             : liveFailureText(ofRun, task, result, isLesson);
   useAnnouncement(text, "mission");
   useEffect(
@@ -97,7 +100,7 @@ export function MissionOutcome({ task }: { task: LessonTask }) {
     <p
       role="note"
       className={isShown ? styles["outcome"] : "visually-hidden"}
-      data-state={isMet ? "met" : isOpen || needsProgram ? "open" : "failed"}
+      data-state={isMet ? "met" : isOpen || isDrivenHere ? "open" : "failed"}
     >
       {text}
     </p>

@@ -50,6 +50,8 @@ export interface ChallengeState {
   solved: readonly boolean[];
   /** index of the displayed maze */
   maze: number;
+  /** given mazes of the open task in which a hand or a script has met the goal, since it opened */
+  drivenMazes: readonly number[];
   /** what the editor may offer; null: everything */
   rights: Rights | null;
   result: ChallengeResult;
@@ -85,6 +87,7 @@ export const noChallenge = {
   lessonId: null,
   solved: [],
   maze: 0,
+  drivenMazes: [],
   rights: null,
   result: { state: "open" },
   checked: null,

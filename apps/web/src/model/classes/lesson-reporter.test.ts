@@ -217,6 +217,14 @@ describe("the reports of a student's work", () => {
     });
   });
 
+  it("contain a solution by a script in several mazes without a code", () => {
+    const { openTask, meetByScript, progress } = newPage();
+    openTask(1);
+    expect(sampleLesson.tasks[1]?.mazes.length).toBeGreaterThan(1);
+    meetByScript();
+    expect(progress.at(-1)).toEqual({ kind: "solved", task: 2, lines: null, code: null });
+  });
+
   it.each([
     ["with its commands", 0, (code: string | null) => decodeLink(code ?? "").ok],
     ["without a code after a program has driven", 10, (code: string | null) => code === null],

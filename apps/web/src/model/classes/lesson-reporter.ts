@@ -178,8 +178,11 @@ export class LessonReporter {
   #solved(driver: string): void {
     const index = this.#index;
     if (index === null) return;
-    const { program } = this.#ports.workspace.getState();
+    const { workspace, challenge } = this.#ports;
+    const { program } = workspace.getState();
     if (driver === "program") this.#sendSolution(index, program.rules.length, program);
+    // A code holds one drive.
+    else if (mazeCount(openTask(challenge.getState())) > 1) this.#sendSolution(index, null, null);
     else this.#withDrive((drive) => this.#sendSolution(index, null, drive));
   }
 

@@ -219,6 +219,29 @@ describe("a task of a lesson", () => {
       solved: [false, false, false, false],
     });
   });
+
+  it("with several mazes is solved by hand once each of them is", () => {
+    const { mazes } = sampleTask("every-maze", "Drive");
+    const page = openTaskWith({ mazes });
+    const met: Judgement = { kind: "met", driver: "me", tick: 240, bumps: 0 };
+    page.judge(met);
+    page.judge(met);
+    expect(page.challenge.getState()).toMatchObject({
+      result: { state: "here" },
+      drivenMazes: [0],
+    });
+    for (const maze of mazes.keys()) {
+      page.navigation.showMaze(maze);
+      page.judge(met);
+    }
+    expect(page.challenge.getState()).toMatchObject({
+      result: { state: "met", driver: "me" },
+      solved: [true, false, false, false],
+    });
+    page.navigation.goHome();
+    page.navigation.openShared(page.lesson, null);
+    expect(page.challenge.getState().drivenMazes).toEqual([]);
+  });
 });
 
 describe("a check", () => {

@@ -202,23 +202,22 @@ export class Attempt {
   }
 
   /**
-   * A drive by hand counts as it is, but not in unseen mazes. A program must also pass a check from
-   * the start in every maze.
+   * A drive by hand or by a script counts as it is, in its maze. So a task of several mazes needs one
+   * in each, and unseen mazes need a program. A program must also pass a check from the start in every
+   * maze.
    */
   #meet(met: Met): void {
     const { challenge: store, workspace } = this.#ports;
     const { driver, tick: ticks, bumps } = met;
-    const { checked } = store.getState();
+    const { checked, maze } = store.getState();
     const task = openTask(store.getState());
-    const hasUnseen = task !== null && task.unseen !== null;
     const lines = driver === "program" ? workspace.getState().program.rules.length : 0;
     if (driver !== "program") {
-      if (hasUnseen) {
-        store.setState({ result: { state: "here", driver, ticks, bumps, lines } });
-        return;
-      }
-      store.setState({ result: { state: "met", driver, ticks, bumps, lines } });
-      this.#setDone({ lines, ticks });
+      const drivenMazes = [...new Set([...store.getState().drivenMazes, maze])];
+      const isMet = drivenMazes.length === mazeCount(task);
+      const state = isMet ? "met" : "here";
+      store.setState({ drivenMazes, result: { state, driver, ticks, bumps, lines } });
+      if (isMet) this.#setDone({ lines, ticks });
       return;
     }
     // The same program has already passed in every maze.
