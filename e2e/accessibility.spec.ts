@@ -12,9 +12,6 @@ import { phone, tab } from "./support/phone.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
 import { wideWindow } from "./support/window-sizes.ts";
 
-// Texts and layouts are the same without motion, and no test waits for an animation.
-test.use({ contextOptions: { reducedMotion: "reduce" } });
-
 // Axe needs as long in any window, but the page is painted again for each theme.
 test.use(wideWindow);
 

@@ -10,8 +10,6 @@ import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
-// Cards have the same texts and places without motion, and no frame of an animation is drawn.
-test.use({ contextOptions: { reducedMotion: "reduce" } });
 // The stage of this window is lower than the card of a bump, which is in the panel instead.
 test.use(smallWindow);
 

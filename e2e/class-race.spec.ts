@@ -9,8 +9,9 @@ import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 import { wideWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(wideWindow);
+test.use({ ...withMotion, ...wideWindow });
 
 const task = {
   ...sampleTask("every-maze", "Every maze"),

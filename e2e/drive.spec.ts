@@ -3,8 +3,9 @@ import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { smallWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(smallWindow);
+test.use({ ...withMotion, ...smallWindow });
 
 const start = "Robot at 50, 650, facing right";
 

@@ -9,8 +9,9 @@ import { CorridorPage } from "./pages/corridor-page.ts";
 import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { smallWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(smallWindow);
+test.use({ ...withMotion, ...smallWindow });
 
 /** Delays the page's main script. @returns a function that lets the script load */
 async function delayScript(page: Page): Promise<() => void> {

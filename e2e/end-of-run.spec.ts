@@ -3,8 +3,9 @@ import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { smallWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(smallWindow);
+test.use({ ...withMotion, ...smallWindow });
 
 test("names the line that drove into the wall everywhere, until the run goes on", async ({
   corridor,

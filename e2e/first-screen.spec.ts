@@ -5,6 +5,9 @@
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 const KIB = 1024;
 /** the goals of docs/performance.md */

@@ -6,6 +6,9 @@ import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { phone } from "./support/phone.ts";
 import { Texts } from "./support/texts.ts";
 import { smallWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 /** The first program in the first maze, at any speed: 2380 ticks are 39.6 s. */
 const solved = "Goal reached after 39.6 s (tick 2380), in row 1, column 11, by “otherwise”.";

@@ -11,9 +11,6 @@ import { unreadableTexts } from "./support/layout.ts";
 import { languageTags, Texts } from "./support/texts.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
-// Texts and layouts are the same without motion, and no test waits for an animation.
-test.use({ contextOptions: { reducedMotion: "reduce" } });
-
 const sizes = [
   { width: 320, height: 640 },
   { width: 1024, height: 768 },

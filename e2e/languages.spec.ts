@@ -14,9 +14,6 @@ import { chooseLanguage } from "./support/choose-language.ts";
 import { languageTags, Texts } from "./support/texts.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 
-// Texts and layouts are the same without motion, and no test waits for an animation.
-test.use({ contextOptions: { reducedMotion: "reduce" } });
-
 const languages = languageTags().map((tag) => ({ name: tag, tag, texts: Texts.load(tag) }));
 const pseudolocale = {
   name: "the pseudolocale, 40 % longer than English",

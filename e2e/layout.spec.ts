@@ -8,6 +8,9 @@ import { chooseLanguage } from "./support/choose-language.ts";
 import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { Texts } from "./support/texts.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 async function boxOf(part: Locator): Promise<DOMRect> {
   return part.evaluate((element) => {

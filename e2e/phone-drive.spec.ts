@@ -14,6 +14,9 @@ import { unreadableTexts } from "./support/layout.ts";
 import { lessonTask } from "./support/lesson-task.ts";
 import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
 import { Texts } from "./support/texts.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 const small = { ...phone, viewport: { width: 320, height: 640 } };
 

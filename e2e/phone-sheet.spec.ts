@@ -8,6 +8,9 @@ import { StageScreenshot } from "./pages/stage-screenshot.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { TouchInput, centreOf } from "./support/touch-input.ts";
 import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 test("drags the sheet, shows messages without blocking the maze, paints and selects a preset", async ({
   openWindow,

@@ -22,6 +22,8 @@ export default defineConfig({
     permissions: ["clipboard-read", "clipboard-write"],
     // Tests load pages from the relay directly. Only offline.spec.ts covers the service worker.
     serviceWorkers: "block",
+    // Drawing animations takes a tenth of a test's time. Tests of motion use `withMotion`.
+    contextOptions: { reducedMotion: "reduce" },
     // Tracing takes a third of a test's time. Turn it on with `--trace on`.
     screenshot: "only-on-failure",
     launchOptions: { executablePath: requireHeadlessChromium(), args: [...chromiumArguments] },

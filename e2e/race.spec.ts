@@ -6,8 +6,9 @@ import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { smallWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(smallWindow);
+test.use({ ...withMotion, ...smallWindow });
 
 /**
  * A link to a run in which a preset algorithm drives through a preset maze to its goal.

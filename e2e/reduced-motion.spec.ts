@@ -3,6 +3,9 @@
  * animation.
  */
 import { expect, test } from "./fixtures.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 test("does not animate a bump or the goal, and allows single steps", async ({ corridor, page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });

@@ -1,5 +1,8 @@
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 declare global {
   interface Window {

@@ -7,6 +7,9 @@ import type { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { StageScreenshot } from "./pages/stage-screenshot.ts";
 import { phone, tab } from "./support/phone.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 /**
  * seed of a maze with its goal far from the start, so that the stage scrolls until the goal is

@@ -3,6 +3,9 @@ import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { TouchInput } from "./support/touch-input.ts";
 import { boxOf, phone } from "./support/phone.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 async function zoomsByButtonsKeysAndWheel(corridor: CorridorPage): Promise<void> {
   const { page } = corridor;

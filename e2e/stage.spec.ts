@@ -3,6 +3,9 @@
  */
 import { expect, test } from "./fixtures.ts";
 import { StageScreenshot } from "./pages/stage-screenshot.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 const text = (element: { textContent: () => Promise<string | null> }) => element.textContent();
 

@@ -1,5 +1,8 @@
 /** Zooming and scrolling the timeline. */
 import { expect, test } from "./fixtures.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 test("zooms by buttons, keys and the wheel, and scrolls", async ({ corridor, page }) => {
   const { timeline } = corridor;

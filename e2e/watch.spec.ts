@@ -10,8 +10,9 @@ import { smallWindow } from "./support/window-sizes.ts";
 import { RelayProxy } from "./support/relay-proxy.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
 import { languageTags, Texts } from "./support/texts.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(smallWindow);
+test.use({ ...withMotion, ...smallWindow });
 
 interface Addresses {
   drive: string;

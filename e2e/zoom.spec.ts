@@ -10,6 +10,9 @@ import { ScriptedStudent } from "./support/scripted-student.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { horizontalOverflow, unreadableTexts } from "./support/layout.ts";
 import { smallWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
+
+test.use(withMotion);
 
 /** Sets the browser's default font size in percent, as its settings do. */
 async function setFontSize(page: Page, percent: number): Promise<void> {
