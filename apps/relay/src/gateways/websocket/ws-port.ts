@@ -95,6 +95,11 @@ export class WsPort implements ClientConnection, ReaderFlow {
 
   #write(frame: Buffer): void {
     this.sentBytes += frame.length;
+    // Messages of one turn, and the ping that follows them, leave in one system call.
+    if (this.#connection.writableCorked === 0) {
+      this.#connection.cork();
+      process.nextTick(() => this.#connection.uncork());
+    }
     this.#connection.write(frame);
   }
 
