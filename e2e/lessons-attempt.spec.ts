@@ -3,10 +3,13 @@
  * then.
  */
 import type { Page } from "playwright/test";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { drop } from "./pages/lesson-card.ts";
 import { driveToWall } from "./support/drive-to-wall.ts";
+import { lessonTask, straight } from "./support/lesson-task.ts";
 import { smallWindow } from "./support/window-sizes.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 
@@ -38,6 +41,8 @@ test("reports what failed, and solves missions for the program and for manual dr
     await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
     expect(await overlapOf(open), "mission 3").toBe(0);
   });
+  await test.step("solves a task of two mazes by hand, one after the other", () =>
+    driveInTwoMazes(open));
 });
 
 async function failAndSolve({ corridor, lessons }: OpenPage): Promise<void> {
@@ -94,6 +99,27 @@ async function driveByHand(open: OpenPage): Promise<void> {
   expect(await overlapOf(open), "mission 2").toBe(0);
   await solved.getByRole("button", { name: "Next mission" }).click();
   await lessons.expectMission(3);
+}
+
+async function driveInTwoMazes({ corridor, page, lessons }: OpenPage): Promise<void> {
+  const second = { ...straight, blocks: ["#######", "#.....#", "#.#####", "#######"] };
+  const { allowed, ...task } = lessonTask("Two mazes", [], { mazes: [straight, second] });
+  await drop(
+    page,
+    lessonOfTasks("By hand", [{ ...task, allowed: { ...allowed, drivers: ["me", "program"] } }]),
+  );
+  const { card, outcome } = lessons;
+  await expect(card).toContainText("Solve Two mazes.");
+  await driveToWall(corridor, 35, 70);
+  await expect(outcome).toHaveText("Reached in 1 of 2 mazes. Drive in the others too.");
+  await page.getByRole("region", { name: "Works in this maze." }).getByText("Maze 2").click();
+  await expect(card.getByRole("button", { name: "Maze 2" })).toHaveAttribute(
+    "aria-pressed",
+    "true",
+  );
+  await driveToWall(corridor, 35, 70);
+  await expect(outcome).toHaveText(/^Task solved after/);
+  await expect(card).toContainText("There is no code: this task has several mazes");
 }
 
 /** The area of the robot that the card of a solved mission covers, in square pixels. */

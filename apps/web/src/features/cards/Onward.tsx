@@ -7,7 +7,7 @@ import { ArrowRight, ImageDown, ListChecks } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { mazeCount, openTask } from "../../model/challenge/challenge-store.ts";
+import { mazeCount, nextMazeToDrive, openTask } from "../../model/challenge/challenge-store.ts";
 import { nextTaskOf } from "../../model/lessons/task-order.ts";
 import { useServices } from "../../model/use-services.ts";
 import { allOf } from "../../text/all-of.ts";
@@ -41,6 +41,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
     challenge,
     ({ result }) => result.state === "here" && result.driver === "program",
   );
+  const nextMaze = useStore(challenge, nextMazeToDrive);
   const nextTask = useStore(challenge, nextTaskOf);
   const mission = useStore(challenge, (state) => state.mission);
   const state = useStore(challenge, (each) => each.result.state);
@@ -66,6 +67,14 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
         }}
       >
         {t("missions:card.check", allOf(count, i18n.language))}
+      </Button>
+    );
+  }
+  if (nextMaze !== null) {
+    return (
+      <Button kind="primary" onClick={() => service.navigation.showMaze(nextMaze)}>
+        {t("missions:card.maze", { number: nextMaze + 1 })}
+        <Icon of={ArrowRight} className={styles["onward"]} />
       </Button>
     );
   }

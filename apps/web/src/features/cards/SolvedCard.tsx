@@ -165,7 +165,9 @@ function SolvedSentence({ driver, lines, at }: SolvedSentenceProps) {
   if (reading !== null) return t("cards.solved.stopped", { reading });
   if (task !== null && task.goal.kind !== "reach") return t("cards.solved.challenge");
   const mazes = task?.mazes.length ?? 1;
-  if (isMet && mazes > 1) return t("cards.solved.mazes", { passed: mazes });
+  if (isMet && mazes > 1 && driver === "program") {
+    return t("cards.solved.mazes", { passed: mazes });
+  }
   if (driver !== "program") return t(`cards.solved.${driver}`);
   return lines === 0
     ? t("cards.solved.otherwiseOnly")

@@ -7,6 +7,7 @@ import { useServices } from "../../model/use-services.ts";
 import {
   isJudgedByRun,
   mazeCount,
+  nextMazeToDrive,
   openTask,
   showsHelp,
 } from "../../model/challenge/challenge-store.ts";
@@ -311,27 +312,32 @@ function Actions({ service }: { service: LessonsService }) {
   );
 }
 
-/** The button to the next mission or task. The card beside the robot has the same button. */
+/** The button to the next maze, task or mission. The card beside the robot has the same button. */
 function NextStep({ service }: { service: LessonsService }) {
   const { t } = useTranslation("missions", { useSuspense: false });
   const { challenge: store, lessons } = useServices();
-  const isOffered = useStore(store, ({ result, hasCard }) => result.state === "met" && !hasCard);
+  const hasCard = useStore(store, (state) => state.hasCard);
+  const isMet = useStore(store, ({ result }) => result.state === "met");
+  const maze = useStore(store, nextMazeToDrive);
   const mission = useStore(store, (state) => nextMission(state.mission));
   const task = useStore(store, nextTaskOf);
   const isAllSolved = useStore(store, ({ solved }) => solved.length > 0 && !solved.includes(false));
-  if (isOffered && isAllSolved)
-    return <p className={styles["allSolved"]}>{t("lesson.allSolved")}</p>;
-  if (!isOffered || (mission === null && task === null)) return null;
+  if (hasCard || (!isMet && maze === null)) return null;
+  if (isMet && isAllSolved) return <p className={styles["allSolved"]}>{t("lesson.allSolved")}</p>;
+  if (maze === null && mission === null && task === null) return null;
   return (
     <Button
       size="small"
       kind="primary"
       onClick={() => {
-        if (mission !== null) void lessons.openMission(mission);
+        if (maze !== null) service.navigation.showMaze(maze);
+        else if (mission !== null) void lessons.openMission(mission);
         else if (task !== null) service.navigation.openTask(task);
       }}
     >
-      {t(mission === null ? "lesson.next" : "card.next")}
+      {maze === null
+        ? t(mission === null ? "lesson.next" : "card.next")
+        : t("card.maze", { number: maze + 1 })}
       <Icon of={ArrowRight} className={styles["onward"]} />
     </Button>
   );

@@ -135,6 +135,16 @@ export function mazeCount(task: Pick<LessonTask, "mazes" | "unseen"> | null): nu
   return (task?.mazes.length ?? 0) + (task?.unseen?.count ?? 0);
 }
 
+/** Index of the next maze to drive through by hand or by a script; null: none, or it needs a program. */
+export function nextMazeToDrive(state: ChallengeState): number | null {
+  const task = openTask(state);
+  const { result, drivenMazes } = state;
+  if (task === null || task.unseen !== null) return null;
+  if (result.state !== "here" || result.driver === "program") return null;
+  const next = task.mazes.findIndex((_, at) => !drivenMazes.includes(at));
+  return next < 0 ? null : next;
+}
+
 /**
  * Whether the displayed run alone decides: one maze, and a goal that the run can show as reached.
  */
