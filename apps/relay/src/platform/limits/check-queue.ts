@@ -26,8 +26,8 @@ interface PendingCheck {
   cancel(): void;
 }
 
-/** Serial queue of checks, for one address or for all. */
-class SerialQueue {
+/** Checks one after the other, with a pause after each wrong code: for one address or for all. */
+class PacedQueue {
   readonly #pending: PendingCheck[] = [];
   /** checks of codes that were rejected before, which go first */
   readonly #returning: PendingCheck[] = [];
@@ -92,10 +92,10 @@ class SerialQueue {
 }
 
 export class CheckQueue {
-  readonly #queues = new Map<string, SerialQueue>();
+  readonly #queues = new Map<string, PacedQueue>();
   readonly #clock: Clock;
   readonly #rule: CheckQueueRule;
-  readonly #all: SerialQueue | null;
+  readonly #all: PacedQueue | null;
   /** newest codes that were rejected unchecked */
   readonly #rejected = new Set<string>();
 
@@ -106,7 +106,7 @@ export class CheckQueue {
   constructor(clock: Clock, rule: CheckQueueRule, ruleForAll: CheckQueueRule | null) {
     this.#clock = clock;
     this.#rule = rule;
-    this.#all = ruleForAll && new SerialQueue(clock, ruleForAll);
+    this.#all = ruleForAll && new PacedQueue(clock, ruleForAll);
   }
 
   /**
@@ -144,10 +144,10 @@ export class CheckQueue {
     if (this.#rejected.size > MAX_REJECTED && oldest !== undefined) this.#rejected.delete(oldest);
   }
 
-  #queueOf(address: string): SerialQueue {
+  #queueOf(address: string): PacedQueue {
     const open = this.#queues.get(address);
     if (open !== undefined) return open;
-    const queue = new SerialQueue(this.#clock, this.#rule, () => this.#queues.delete(address));
+    const queue = new PacedQueue(this.#clock, this.#rule, () => this.#queues.delete(address));
     this.#queues.set(address, queue);
     return queue;
   }

@@ -10,6 +10,7 @@ import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/
 import type { AddResult, RobotStore, TermedRecord } from "../../store/robot-store.ts";
 import { KeyedRateLimiter } from "../../platform/limits/keyed-rate-limiter.ts";
 import { limits } from "../../platform/limits/limits.ts";
+import type { SerialQueue } from "../../platform/serial-queue.ts";
 import { scriptIsBlocked, type Caller } from "../access/callers.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import type { CommandDelivery } from "./command-delivery.ts";
@@ -216,16 +217,5 @@ function notStored(result: NotStored, { ttl, age }: CommandTerms, resetMs: numbe
         "key-conflict",
         `Command ${result.record.seq} (${result.record.action}) already uses this idempotency key. Use a new key for each command.`,
       );
-  }
-}
-
-export class SerialQueue {
-  #newest: Promise<unknown> = Promise.resolve();
-
-  /** Runs a task in its turn. A failed task does not stop the next one. */
-  run<T>(change: () => Promise<T>): Promise<T> {
-    const result = this.#newest.then(change);
-    this.#newest = result.catch(() => undefined);
-    return result;
   }
 }

@@ -4,7 +4,7 @@ import type { RobotStore } from "../../store/robot-store.ts";
 import type { Subscribers, CallerWait } from "../readers/subscribers.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { SerialQueue } from "./command-intake.ts";
+import type { SerialQueue } from "../../platform/serial-queue.ts";
 
 export class CommandLog {
   readonly #robot: string;

@@ -17,7 +17,7 @@ import type {
 } from "../../store/robot-store.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { noCommand } from "./command-log.ts";
-import type { SerialQueue } from "./command-intake.ts";
+import type { SerialQueue } from "../../platform/serial-queue.ts";
 
 export interface CommandRecallParts {
   robot: string;
