@@ -12,7 +12,7 @@ import type {
   ScriptView,
 } from "@corridor/protocol";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import type { TermedRecord } from "../store/robot-store.ts";
+import type { TermedRecord } from "../commands/robot-commands.ts";
 
 /** Commands that one step of the store has changed. */
 export interface CommandChanges {

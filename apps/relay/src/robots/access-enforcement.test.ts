@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
-import type { StoredScript } from "../store/robot-store.ts";
+import type { StoredScript } from "../commands/robot-step.ts";
 import { AccessEnforcement } from "./access-enforcement.ts";
 import { callerOf } from "./access/callers.ts";
 import { EventLog } from "../platform/events/event-log.ts";

@@ -2,7 +2,7 @@
  * Enforces changed permissions of a robot: disconnects those that lost access, has their commands
  * ended, and notifies the page and other relays.
  */
-import type { StoredKey, StoredScript } from "../store/robot-store.ts";
+import type { StoredKey, StoredScript } from "../commands/robot-step.ts";
 import type { AccessListener } from "./access/access-listener.ts";
 import type { CommandRecall } from "./delivery/command-recall.ts";
 import type { ScriptClocks } from "./delivery/script-clocks.ts";

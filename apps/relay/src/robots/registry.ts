@@ -15,7 +15,8 @@ import {
   retryAfter,
   restarting,
 } from "../platform/errors/problems.ts";
-import type { RobotStore, StoredKey } from "../store/robot-store.ts";
+import type { RobotStore } from "../store/robot-store.ts";
+import type { StoredKey } from "../commands/robot-step.ts";
 import { readerTransports, type ReaderTransport } from "./readers/subscribers.ts";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import { StaggeredInterval } from "../platform/time/staggered-interval.ts";

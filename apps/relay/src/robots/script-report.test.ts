@@ -5,7 +5,7 @@ import { LocalBus } from "../bus/local.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
-import type { StoredScript } from "../store/robot-store.ts";
+import type { StoredScript } from "../commands/robot-step.ts";
 import { Presence } from "./presence/presence.ts";
 import { RobotChannel } from "./channel/robot-channel.ts";
 import { ScriptReport } from "./script-report.ts";

@@ -2,29 +2,12 @@
  * Storage of the relay: robots, their hashed keys and the state of every command.
  *
  * Each method is atomic, so that several relays can share a store. All rules of commands and
- * permissions are steps, which `commit` applies. Times are wall-clock milliseconds since 1970. Every implementation passes
- * `cases/store.cases.ts`.
+ * permissions are steps, which `commit` applies. Times are wall-clock milliseconds since 1970. Every
+ * implementation passes `cases/store.cases.ts`.
  */
 import type { CommandRecord } from "@corridor/protocol";
 import type { RobotCommands } from "../commands/robot-commands.ts";
 import type { RobotStep, StoredKey, StoredScript } from "../commands/robot-step.ts";
-
-export type { LeftCause } from "../commands/reasons.ts";
-export {
-  CLOCK_TOLERANCE_MS,
-  keyKinds,
-  type AddResult,
-  type BlockResult,
-  type KeyChange,
-  type KeyKind,
-  type KeysResult,
-  type NewCommand,
-  type PageState,
-  type ScriptChange,
-  type StoredKey,
-  type StoredScript,
-} from "../commands/robot-step.ts";
-export type { TermedRecord } from "../commands/robot-commands.ts";
 
 /** When a key was created and last used, as far as recorded; null: never used. */
 export interface KeyTimes {

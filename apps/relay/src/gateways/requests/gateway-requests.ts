@@ -7,7 +7,7 @@ import { readBearer } from "../../platform/http/reading.ts";
 import type { Verb } from "../../robots/access/callers.ts";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";
 import type { PortConnection } from "../../robots/relay-port.ts";
-import type { StoredKey } from "../../store/robot-store.ts";
+import type { StoredKey } from "../../commands/robot-step.ts";
 import { readIntroduction } from "./script-requests.ts";
 
 /** The connection of a client that follows a robot within one request: it reads everything at once. */

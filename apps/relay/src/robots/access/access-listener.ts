@@ -6,7 +6,7 @@ import type {
   ScriptChange,
   StoredKey,
   StoredScript,
-} from "../../store/robot-store.ts";
+} from "../../commands/robot-step.ts";
 
 export interface AccessListener {
   /** This relay has changed the keys. */

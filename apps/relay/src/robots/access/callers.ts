@@ -15,14 +15,8 @@ import {
   type ScriptRef,
 } from "@corridor/protocol";
 import { Refusal, noRobot } from "../../platform/errors/problems.ts";
-import type {
-  KeyKind,
-  StoredKey,
-  StoredScript,
-  ScriptChange,
-  RobotStore,
-  StoredRobot,
-} from "../../store/robot-store.ts";
+import type { KeyKind, StoredKey, StoredScript, ScriptChange } from "../../commands/robot-step.ts";
+import type { RobotStore, StoredRobot } from "../../store/robot-store.ts";
 import { keyId } from "../../platform/keys.ts";
 import type { AccessListener, PermissionChanges } from "./access-listener.ts";
 

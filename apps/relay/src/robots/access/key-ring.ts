@@ -3,13 +3,8 @@ import { MAX_KEYS, type KeyList, type KeyRequest, type CreatedKey } from "@corri
 import { hashKey, keyId, matchKey, mintKey } from "../../platform/keys.ts";
 import { noRobot, notAuthorised, Refusal } from "../../platform/errors/problems.ts";
 import type { Clock } from "../../platform/time/clock.ts";
-import type {
-  KeyChange,
-  KeyUse,
-  RobotStore,
-  StoredKey,
-  StoredRobot,
-} from "../../store/robot-store.ts";
+import type { KeyChange, StoredKey } from "../../commands/robot-step.ts";
+import type { KeyUse, RobotStore, StoredRobot } from "../../store/robot-store.ts";
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { AccessListener, PermissionChanges } from "./access-listener.ts";

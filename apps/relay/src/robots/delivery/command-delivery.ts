@@ -6,7 +6,8 @@ import { closeReasons, type CommandRecord, type RelayToPage } from "@corridor/pr
 import { deliverStep } from "../../commands/state-machine.ts";
 import { keyId } from "../../platform/keys.ts";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { RobotStore, TermedRecord } from "../../store/robot-store.ts";
+import type { RobotStore } from "../../store/robot-store.ts";
+import type { TermedRecord } from "../../commands/robot-commands.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageConnection, PageOwnership, OwningPage } from "../page/page-ownership.ts";
 import type { CoalescedTimers, Waiter } from "../../platform/time/coalesced-timers.ts";

@@ -20,7 +20,8 @@ import { endStep, expireStep, startStep } from "../../commands/state-machine.ts"
 import type { Clock } from "../../platform/time/clock.ts";
 import type { CommandChanges } from "../../bus/bus.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
-import type { RobotStore, TermedRecord } from "../../store/robot-store.ts";
+import type { RobotStore } from "../../store/robot-store.ts";
+import type { TermedRecord } from "../../commands/robot-commands.ts";
 import type { Subscribers } from "../readers/subscribers.ts";
 import { CommandDelivery, PageDisplay } from "./command-delivery.ts";
 import { CommandIntake } from "./command-intake.ts";

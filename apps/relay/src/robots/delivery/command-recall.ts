@@ -11,10 +11,10 @@ import type {
   KeyChange,
   KeysResult,
   ScriptChange,
-  RobotStore,
   StoredKey,
-  TermedRecord,
-} from "../../store/robot-store.ts";
+} from "../../commands/robot-step.ts";
+import type { RobotStore } from "../../store/robot-store.ts";
+import type { TermedRecord } from "../../commands/robot-commands.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { noCommand } from "./command-log.ts";
 import type { SerialQueue } from "../../platform/serial-queue.ts";

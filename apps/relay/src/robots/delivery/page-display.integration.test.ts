@@ -1,7 +1,7 @@
 import type { RelayToPage } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
-import type { TermedRecord } from "../../store/robot-store.ts";
+import type { TermedRecord } from "../../commands/robot-commands.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { limits } from "../../platform/limits/limits.ts";

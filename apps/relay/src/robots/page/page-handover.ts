@@ -5,7 +5,7 @@
  */
 import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { LeftCause } from "../../store/robot-store.ts";
+import type { LeftCause } from "../../commands/reasons.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageOwnership } from "./page-ownership.ts";
 import type { RobotChannel } from "../channel/robot-channel.ts";

@@ -1,7 +1,7 @@
 import { encodeFrame, MAX_BLOCKED_SCRIPTS, MAX_FRAME_BYTES, MAX_SCRIPTS } from "@corridor/protocol";
 import { expect, it, vi } from "vitest";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
-import type { StoredScript } from "../../store/robot-store.ts";
+import type { StoredScript } from "../../commands/robot-step.ts";
 import { Presence } from "./presence.ts";
 
 const [ANNA, BEN] = ["annas-key", "bens-key"];

@@ -17,7 +17,7 @@ import {
 import type { Scripts } from "../../bus/bus.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { keyId } from "../../platform/keys.ts";
-import type { StoredScript } from "../../store/robot-store.ts";
+import type { StoredScript } from "../../commands/robot-step.ts";
 import { LastProblem } from "./last-problem.ts";
 import { limits } from "../../platform/limits/limits.ts";
 

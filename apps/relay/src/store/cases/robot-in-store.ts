@@ -3,12 +3,8 @@ import { acquireStep } from "../../commands/page-transitions.ts";
 import { addStep, deliverStep } from "../../commands/state-machine.ts";
 import { reasonText, type Cause } from "../../commands/reasons.ts";
 import type { Command, RemoteCommand } from "@corridor/protocol";
-import {
-  type KeyChange,
-  type NewCommand,
-  type PageState,
-  type RobotStore,
-} from "../robot-store.ts";
+import type { KeyChange, NewCommand, PageState } from "../../commands/robot-step.ts";
+import type { RobotStore } from "../robot-store.ts";
 
 export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 export const LEFT: Command = { action: "left 90" };

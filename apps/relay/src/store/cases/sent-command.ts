@@ -1,5 +1,5 @@
 /** A command as a relay stores it. */
-import type { NewCommand } from "../robot-store.ts";
+import type { NewCommand } from "../../commands/robot-step.ts";
 
 export function sentCommand(change: Partial<NewCommand> = {}): NewCommand {
   const acceptedAt = 5_000;

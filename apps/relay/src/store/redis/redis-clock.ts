@@ -8,7 +8,7 @@
  * unchanged.
  */
 import type { Logger } from "pino";
-import { CLOCK_TOLERANCE_MS } from "../robot-store.ts";
+import { CLOCK_TOLERANCE_MS } from "../../commands/robot-step.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 
 const LOOK_MS = 5_000;

@@ -1,6 +1,6 @@
 /** The scripts that a robot's owner has blocked, in SQLite. */
 import { z } from "zod";
-import type { StoredScript } from "../robot-store.ts";
+import type { StoredScript } from "../../commands/robot-step.ts";
 import type { Statements } from "./file/statements.ts";
 
 const blockedRow = z.object({

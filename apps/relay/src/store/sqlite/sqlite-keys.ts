@@ -1,6 +1,7 @@
 /** The hashed keys of a robot in SQLite. */
 import { z } from "zod";
-import { keyKinds, type KeyTimes, type KeyUse, type StoredKey } from "../robot-store.ts";
+import { keyKinds, type StoredKey } from "../../commands/robot-step.ts";
+import type { KeyTimes, KeyUse } from "../robot-store.ts";
 import type { Statements } from "./file/statements.ts";
 
 const keyRow = z.object({
