@@ -22,6 +22,15 @@ const SETTLE_MS = 50;
 /** More messages than this in `SETTLE_MS` were stored. */
 const MAX_SETTLING = 3;
 const MAX_DELAY_MS = 500;
+/**
+ * The clock here counts as slower by this share, so that no drift between two clocks makes the
+ * messages of a long session late. Crystals of computers differ by 0.0001 at most.
+ */
+const LARGEST_DRIFT = 0.0002;
+/** Stamps that are late for this time, but advance like the clock here, show a clock that was set. */
+const CLOCK_SET_MS = 1_000;
+/** What is stored arrives faster than it was sent, by more than this within `CLOCK_SET_MS`. */
+const MAX_JITTER_MS = 250;
 /** Snapshots are late by fewer orders than this. */
 const MAX_OWN = 32;
 /** A stamp that is at most this far behind the simulated time shows that time, not a clock. */
@@ -68,6 +77,8 @@ export class MotionRegister {
   #isClosed = false;
   /** the largest difference between the stamp of a message and its arrival, in ms */
   #offset = Number.NEGATIVE_INFINITY;
+  /** the first of the late messages since the last one in time; null: there was none */
+  #lateSince: { stampMs: number; at: number } | null = null;
   /** simulated times of the last `MAX_DELAY_MS`, and the newest before it */
   readonly #simulated: { at: number; ms: number }[] = [];
 
@@ -94,9 +105,16 @@ export class MotionRegister {
     while ((times[1]?.at ?? at) <= at - MAX_DELAY_MS) times.shift();
   }
 
-  /** Another command was sent. The next velocity takes over from it, even if it is the same. */
-  overtaken(): void {
+  /**
+   * Another command is sent, and ends here what arrived before it. The next velocity takes over from
+   * that command, even if it is the same.
+   * @returns whether a value has not been sent: it would have taken over from earlier commands
+   */
+  overtaken(): boolean {
+    const hasValue = this.#next !== null;
+    this.#next = null;
     this.#sent = null;
+    return hasValue;
   }
 
   close(): void {
@@ -130,9 +148,20 @@ export class MotionRegister {
     const isSimulated = stampMs <= newest + MAX_AHEAD_MS && stampMs >= newest - MAX_BEHIND_MS;
     // Simulated time passes at another rate than the clock here.
     if (isSimulated) return stampMs < this.#simulatedBefore();
-    const offset = stampMs - this.#options.timers.now();
+    const at = this.#options.timers.now();
+    const offset = stampMs - at * (1 - LARGEST_DRIFT);
     this.#offset = Math.max(this.#offset, offset);
-    return offset < this.#offset - MAX_DELAY_MS;
+    if (offset >= this.#offset - MAX_DELAY_MS) {
+      this.#lateSince = null;
+      return false;
+    }
+    this.#lateSince ??= { stampMs, at };
+    const passed = at - this.#lateSince.at;
+    const isInStep = Math.abs(stampMs - this.#lateSince.stampMs - passed) <= MAX_JITTER_MS;
+    if (passed < CLOCK_SET_MS || !isInStep) return true;
+    this.#offset = offset;
+    this.#lateSince = null;
+    return false;
   }
 
   /** The simulated time `MAX_DELAY_MS` ago; no time if it is unknown. */

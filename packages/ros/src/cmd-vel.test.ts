@@ -183,6 +183,53 @@ describe("/cmd_vel", () => {
     ]);
   });
 
+  describe("with stamps of a clock", () => {
+    const start = 1_800_000_000_000;
+    const stamped = (ms: number, x: number): object => {
+      const stamp = { sec: Math.floor(ms / 1_000), nanosec: Math.round((ms % 1_000) * 1e6) };
+      const msg = { header: { stamp }, twist: { linear: { x } } };
+      return { op: "publish", topic: "/cmd_vel", msg };
+    };
+
+    it.each([
+      ["is set back", 100, -60_000],
+      ["had been ahead once", 101, 0],
+    ])("drives again within two seconds after the clock %s", async (_how, ahead, back) => {
+      const client = await RosClient.connect();
+      await client.send(stamped(start + (ahead - 100) * 5_000, 0.1));
+      await client.timers.pass(200);
+      client.port.orders.length = 0;
+      for (let ms = 200; ms <= 2_200; ms += 200) {
+        await client.send(stamped(start + back + ms, ms / 10_000));
+        await client.timers.pass(200);
+      }
+      expect(powers(client).at(-1)).toEqual([0.22 / 2.61, 0.22 / 2.61]);
+    });
+
+    it("drives for a day although the clock drifts", async () => {
+      const client = await RosClient.connect();
+      for (let hour = 0; hour < 24; hour += 1) {
+        const ms = hour * 3_600_000;
+        await client.send(stamped(start + ms * 0.9999, (hour + 1) / 100));
+        await client.timers.pass(3_600_000);
+      }
+      expect(client.port.orders).toHaveLength(24);
+    });
+
+    it("drops all that was stored, however slowly it arrives", async () => {
+      const client = await RosClient.connect();
+      await client.send(stamped(start, 0.1));
+      await client.timers.pass(100_000);
+      client.port.orders.length = 0;
+      // 90 s of messages, ten times as fast as they were sent.
+      for (let i = 0; i < 900; i += 1) {
+        await client.send(stamped(start + i * 100, 0.9));
+        await client.timers.pass(10);
+      }
+      expect(client.port.orders).toEqual([]);
+    });
+  });
+
   it("stops a goal, although the last velocity was zero too", async () => {
     const client = await RosClient.connect();
     await client.drive(0);
@@ -190,6 +237,31 @@ describe("/cmd_vel", () => {
     await client.drive(0);
     await client.timers.pass(100);
     expect(client.port.orders.map(({ action }) => action)).toEqual(["drive", "move", "drive"]);
+  });
+
+  it.each([
+    [
+      "a goal, which ends what it would have ended",
+      { op: "send_action_goal", action: "/move", args: { distance: 1 } },
+      { action: "move", replace: true },
+    ],
+    ["a stop", { op: "call_service", service: "/stop" }, { action: "stop" }],
+  ])("takes no effect after %s", async (_name, later, expected) => {
+    const client = await RosClient.connect();
+    await client.drive(0.5);
+    await client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: 0 } } });
+    await client.send({ ...later, id: "later" });
+    await client.timers.pass(1_000);
+    expect(client.port.orders).toMatchObject([{ action: "drive" }, expected]);
+  });
+
+  it("takes effect although a goal that cannot be served was sent later", async () => {
+    const client = await RosClient.connect();
+    await client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: 0.5 } } });
+    await client.send({ op: "send_action_goal", id: "g", action: "/fly", args: {} });
+    await client.send({ op: "call_service", id: "m", service: "/static_map" });
+    await client.timers.pass(100);
+    expect(powers(client)).toEqual([[0.5 / 2.61, 0.5 / 2.61]]);
   });
 
   it("is sent again after a refusal, although it has not changed", async () => {

@@ -80,6 +80,8 @@ export interface GoalsOptions {
   view: RobotView;
   ends: CommandEnds;
   send(message: object): void;
+  /** Discards an earlier velocity. @returns whether it has not been sent yet */
+  takeOver(): boolean;
   /** Called for each refusal. */
   onProblem(error: RosError | RefusedError): void;
 }
@@ -111,6 +113,8 @@ export class Goals {
     };
     try {
       const order = this.#orderOf(request, goal.name);
+      // The velocity would have ended what was sent before it.
+      if (this.#options.takeOver()) order.replace = true;
       this.#open.add(goal);
       const record = await this.#run(goal, order);
       if (!hasEnded(record.state)) return;

@@ -53,6 +53,17 @@ describe("a subscriber", () => {
     });
   });
 
+  it("receives a message that waits by a lower throttle rate at once", async () => {
+    const client = await RosClient.connect();
+    await client.send(subscribe("/pose2d", { id: "a", throttle_rate: 10_000 }));
+    client.port.report(snapshotOf({ tick: 10 }));
+    await client.timers.pass(1_000);
+    const before = client.received("/pose2d").length;
+    await client.send(subscribe("/pose2d", { id: "b", throttle_rate: 100 }));
+    await client.timers.pass(100);
+    expect(client.received("/pose2d").length).toBeGreaterThan(before);
+  });
+
   it("receives each message once, by the lowest throttle rate, and the newest", async () => {
     const client = await RosClient.connect();
     await client.send(subscribe("/pose2d", { id: "a", throttle_rate: 500 }));

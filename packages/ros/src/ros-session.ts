@@ -17,7 +17,6 @@ import { isObject, readArguments, readMessage, type Message } from "./read-messa
 import { RobotView } from "./robot-view.ts";
 import { RosError } from "./ros-error.ts";
 import { serviceOf } from "./rosapi.ts";
-import { robotServices } from "./services.ts";
 import { Subscriptions } from "./subscriptions.ts";
 import { isVelocityType, topicOf, topics, VELOCITY_TOPIC } from "./topics.ts";
 
@@ -82,6 +81,7 @@ export class RosSession {
       ends,
       view: this.#view,
       send: (message) => this.#send(message),
+      takeOver: () => this.#velocity.overtaken(),
       onProblem: (error) => this.#report(error),
     });
     port.subscribe({
@@ -149,7 +149,6 @@ export class RosSession {
       case "call_service":
         return this.#callService(operation);
       case "send_action_goal":
-        this.#velocity.overtaken();
         return this.#goals.start(operation);
       case "cancel_action_goal":
         return this.#goals.cancel(operation);
@@ -210,7 +209,7 @@ export class RosSession {
       const service = serviceOf(name);
       if (service === null) throw new RosError(`The robot has no service ${name}.`);
       const values = readArguments(`${service.type}_Request`, request.args);
-      if (Object.hasOwn(robotServices, name)) this.#velocity.overtaken();
+      if (service.isCommand === true) this.#velocity.overtaken();
       reply(await service.call(values, { port: this.#options.port, view: this.#view }), true);
     } catch (error) {
       if (!isRefusal(error)) throw error;

@@ -16,6 +16,8 @@ export interface ServiceParts {
 
 export interface Service {
   type: ServiceType;
+  /** whether it sends a command to the robot */
+  isCommand?: true;
   /**
    * @param request the values of the request's definition
    * @throws RosError, or RefusedError of the port
@@ -39,6 +41,7 @@ export const robotServices: Readonly<Record<string, Service>> = {
 function trigger(action: "stop" | "reset"): Service {
   return {
     type: "std_srvs/Trigger",
+    isCommand: true,
     call: async (_request, { port }) => {
       const { seq } = await port.send({ action });
       const { state, reason } = await port.endOf(seq, WAIT_MS);

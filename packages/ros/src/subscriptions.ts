@@ -57,7 +57,7 @@ export class Subscriptions {
     const same = subscribed.subscriptions.find((each) => each.id === id && each.name === name);
     if (same !== undefined) {
       same.interval = interval;
-      return;
+      return this.#reschedule(subscribed);
     }
     if (this.#count >= MAX_SUBSCRIPTIONS) {
       throw new RosError(
@@ -67,6 +67,7 @@ export class Subscriptions {
     this.#count += 1;
     subscribed.subscriptions.push({ id, name, interval });
     this.#topics.set(topic, subscribed);
+    this.#reschedule(subscribed);
   }
 
   /** @param id null: all of the topic */
@@ -87,7 +88,22 @@ export class Subscriptions {
     const subscribed = this.#topics.get(topic);
     if (subscribed === undefined) return;
     subscribed.next = make;
-    if (subscribed.cancelTimer !== null) return;
+    if (subscribed.cancelTimer === null) this.#schedule(subscribed);
+  }
+
+  close(): void {
+    for (const topic of this.#topics.keys()) this.remove(topic, null);
+  }
+
+  /** A message that waits may be due earlier now. */
+  #reschedule(subscribed: Subscribed): void {
+    if (subscribed.cancelTimer === null) return;
+    subscribed.cancelTimer();
+    subscribed.cancelTimer = null;
+    this.#schedule(subscribed);
+  }
+
+  #schedule(subscribed: Subscribed): void {
     const { sentAt } = subscribed;
     const dueAt = sentAt === null ? 0 : sentAt + leastInterval(subscribed);
     const waitMs = dueAt - this.#timers.now();
@@ -96,10 +112,6 @@ export class Subscriptions {
       subscribed.cancelTimer = null;
       this.#sendNext(subscribed);
     });
-  }
-
-  close(): void {
-    for (const topic of this.#topics.keys()) this.remove(topic, null);
   }
 
   #sendNext(subscribed: Subscribed): void {
