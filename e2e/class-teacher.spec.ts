@@ -11,8 +11,9 @@ import { phone } from "./support/phone.ts";
 import { cardOf, claim, opened, openDashboard, solution, wrong } from "./support/one-line-class.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 import { wideWindow } from "./support/window-sizes.ts";
+import { withMotion } from "./support/with-motion.ts";
 
-test.use(wideWindow);
+test.use({ ...withMotion, ...wideWindow });
 
 function cards(page: Page): Locator {
   return page.getByRole("list").getByRole("button", { name: /attempt/ });

@@ -17,7 +17,9 @@ export function storedMembership(tab: KeyValueStorage): JoinedClass | null {
   return read.ok ? read.value : null;
 }
 
+/** Another student, or a student of another class, starts with nothing of the one before. */
 export function storeMembership(tab: KeyValueStorage, joined: JoinedClass): void {
+  if (storedMembership(tab)?.key !== joined.key) removeMembership(tab);
   try {
     tab.setItem(CLASS_KEY, JSON.stringify(joined));
   } catch {

@@ -105,6 +105,11 @@ describe("the dashboard", () => {
     dashboard.verified(new Map([[1, new Map([[1, passes]])]]));
     expect(state().shown.get(1)?.standing).toBe("solved");
     expect(sent.at(-1)).toEqual({ type: "verified", student: 1, tasks: [1] });
+    // The student works on the next lesson.
+    students(seenStudent(1));
+    expect(verified).toEqual([1, 1]);
+    dashboard.verified(new Map());
+    expect(sent.at(-1)).toEqual({ type: "verified", student: 1, tasks: [] });
   });
 
   it("knows since when the connection is lost", () => {

@@ -136,8 +136,9 @@ export class Dashboard {
   /** Solutions were run. */
   verified(verifications: Verifications): void {
     const before = this.store.getState().verifications;
-    for (const [student, tasks] of verifications) {
-      const passed = passedOf(tasks);
+    // A student without a claim in the newest lesson may have solved tasks of the one before.
+    for (const student of new Set([...before.keys(), ...verifications.keys()])) {
+      const passed = passedOf(verifications.get(student));
       const known = passedOf(before.get(student));
       if (passed.length !== known.length) this.send({ type: "verified", student, tasks: passed });
     }
@@ -240,11 +241,12 @@ export class Dashboard {
   }
 
   #verify(): void {
-    const { lesson, students } = this.store.getState();
+    const { lesson, students, verifications } = this.store.getState();
     const hasClaims = [...students.values()].some(({ tasks }) =>
       tasks.some(({ claims }) => claims.length > 0),
     );
-    if (lesson !== null && hasClaims) this.#ports.verify(lesson, students);
+    if (lesson !== null && (hasClaims || verifications.size > 0))
+      this.#ports.verify(lesson, students);
   }
 }
 

@@ -1,6 +1,6 @@
 /**
  * Stores what a goal changes on this device: the solved preset, and the best run in a daily maze.
- * Loaded with the first tick, because the presets are not part of the first screen.
+ * Loaded during the first run, because the presets are not part of the first screen.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";

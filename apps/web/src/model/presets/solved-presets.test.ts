@@ -24,7 +24,7 @@ function open(device = new MemoryStorage()) {
     driver: RunEvent["driver"] = "program",
   ): Promise<void> => {
     const event = { kind, driver, tick: 1, bumps: 0, line: null } as Partial<RunEvent> as RunEvent;
-    run.setState({ nowTick: 1 });
+    run.setState({ nowTick: 150 });
     // The presets are a separate chunk.
     await import("./note-goal.ts");
     await new Promise((resolve) => setTimeout(resolve, 0));

@@ -8,6 +8,8 @@ import type { RunStore } from "../run/run-store.ts";
 import { readSolved, type SolvedStore } from "./solved-storage.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 
+const LOADED_FROM_TICK = 120;
+
 export interface SolvedPorts {
   run: RunStore;
   workspace: WorkspaceStore;
@@ -22,9 +24,12 @@ export function createSolvedStore({ run, workspace, device }: SolvedPorts): Solv
   const solved: SolvedStore = createStore(() => ({ ids: readSolved(device) }));
   let loading: Promise<typeof import("./note-goal.ts") | null> | null = null;
   run.subscribe(({ event, nowTick }, before) => {
-    // From the first tick on, because the user may close the page at the goal.
-    if (nowTick > 0) loading ??= import("./note-goal.ts").catch(() => null);
-    if (event === before.event || event?.kind !== "goal" || event.driver === "remote") return;
+    const isGoal = event !== before.event && event?.kind === "goal" && event.driver !== "remote";
+    // Before the goal, where the user may close the page, but after the first screen.
+    if (isGoal || nowTick > LOADED_FROM_TICK) {
+      loading ??= import("./note-goal.ts").catch(() => null);
+    }
+    if (!isGoal) return;
     const { maze } = workspace.getState();
     const { tick, bumps } = event;
     void loading?.then((loaded) => loaded?.noteGoal(device, solved, maze, { ticks: tick, bumps }));

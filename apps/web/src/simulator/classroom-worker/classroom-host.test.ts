@@ -166,6 +166,18 @@ describe("the host of a dashboard", () => {
     expect(sockets).toEqual([]);
   });
 
+  it("watches the same student after the connection was lost", async () => {
+    const { host, settled, sockets, welcome, pass } = newHost();
+    await settled();
+    welcome(4);
+    host.send({ type: "watch", student: 7 });
+    sockets[0]?.events.closed(1006);
+    pass();
+    welcome(4);
+    expect(sockets).toHaveLength(2);
+    expect(sockets[1]?.sent).toContainEqual({ type: "watch", student: 7 });
+  });
+
   it("tries again while there is no network", async () => {
     const { settled, relay, posted, pass } = newHost({ status: 503, text: "" });
     await settled();

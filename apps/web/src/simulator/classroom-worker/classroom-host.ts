@@ -63,6 +63,8 @@ export class ClassroomHost {
   #isOutdated = false;
   /** version of the lesson that the page has or receives soon */
   #lesson: string | null = null;
+  /** the student whom the teacher watches; null: none */
+  #watched: number | null = null;
   #cancelPost: (() => void) | null = null;
   #isOver = false;
 
@@ -83,6 +85,7 @@ export class ClassroomHost {
   /** Sends a message to the relay; drops it while there is no connection. */
   send(message: TeacherToRelay): void {
     if (message.type === "watch") {
+      this.#watched = message.student;
       this.roster.watch(message.student);
       this.#postSoon();
     }
@@ -130,6 +133,8 @@ export class ClassroomHost {
   #received(message: TeacherMessage): void {
     switch (message.type) {
       case "welcome":
+        // To the relay, a new connection watches nobody.
+        if (this.#watched !== null) this.send({ type: "watch", student: this.#watched });
         return this.#setSettings(message.settings);
       case "tiles":
         this.#ports.onTiles(this.roster.show(message.tiles));
