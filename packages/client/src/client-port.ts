@@ -59,6 +59,8 @@ class ClientPort implements MarkingPort {
   /** called when records have changed, or the client has ended */
   readonly #changed = new Set<() => void>();
   readonly #requests = new Set<ApiRequest>();
+  /** version of the maze that was read or announced last; null: none */
+  #maze: string | null = null;
 
   constructor(parts: ClientParts, closeClient: () => void) {
     this.capability = isWatchKey(parts.api.key) ? "watch" : "drive";
@@ -114,7 +116,9 @@ class ClientPort implements MarkingPort {
   async readMaze(): Promise<PublishedMaze> {
     this.#checkOpen();
     const { body, etag } = await this.#request("GET", "/maze");
-    return { text: body, version: (etag ?? "").replace(/^W\//, "").replaceAll('"', "") };
+    const version = (etag ?? "").replace(/^W\//, "").replaceAll('"', "");
+    this.#maze = version;
+    return { text: body, version };
   }
 
   mark(marks: Marks): void {
@@ -130,6 +134,8 @@ class ClientPort implements MarkingPort {
     switch (message.type) {
       case "welcome":
       case "snapshot":
+        // The relay does not repeat that the maze has changed while the connection was lost.
+        if (message.type === "welcome") this.#lookForMaze().catch(() => undefined);
         return this.#notify((listener) => {
           if (message.snapshot !== null) listener.snapshot(message.snapshot);
         });
@@ -143,12 +149,20 @@ class ClientPort implements MarkingPort {
         this.#wake();
         return this.#notify((listener) => listener.gap(message.open));
       case "maze":
+        this.#maze = message.version;
         return this.#notify((listener) => listener.maze(message.version));
       case "marks":
       case "problem":
       case "heartbeat":
         return;
     }
+  }
+
+  async #lookForMaze(): Promise<void> {
+    const known = this.#maze;
+    if (known === null) return;
+    const { version } = await this.readMaze();
+    if (version !== known) this.#notify((listener) => listener.maze(version));
   }
 
   #ended(error: ClientError): void {

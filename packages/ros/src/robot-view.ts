@@ -64,7 +64,10 @@ export class RobotView {
     this.#velocity = isClose ? velocityBetween(before.pose, snapshot.pose, ticks) : STANDING;
   }
 
-  /** Reads the robot's maze. A robot without a maze, or with one of a later version, has none. */
+  /**
+   * Reads the robot's maze. A robot without a maze, or with one of a later version, has none.
+   * @throws RefusedError if it cannot be read now
+   */
   async readMaze(): Promise<void> {
     this.#version += 1;
     const version = this.#version;
@@ -79,7 +82,12 @@ async function mazeOf(port: RobotPort): Promise<MazeDocument | null> {
     const maze = readMaze((await port.readMaze()).text);
     return maze.ok ? maze.value : null;
   } catch (error) {
-    if (error instanceof RefusedError) return null;
+    if (error instanceof RefusedError && !mayComeBack(error)) return null;
     throw error;
   }
+}
+
+/** Whether the host only cannot answer now, because of its store, the network or too many requests. */
+function mayComeBack({ problem }: RefusedError): boolean {
+  return problem.status >= 500 || problem.status === 429;
 }

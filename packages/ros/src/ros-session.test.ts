@@ -136,6 +136,22 @@ describe("a subscriber", () => {
     expect(client.problems).toEqual(["The robot does not publish /nothing."]);
   });
 
+  it("waits until the maze can be read, because y depends on its height", async () => {
+    const client = await RosClient.connect();
+    client.port.newest = null;
+    await client.send(subscribe("/pose2d"));
+    client.port.mazeStatus = 503;
+    client.port.enter({ ...maze, blocks: ["...", "...", "..."] });
+    await client.timers.pass(500);
+    client.frames.length = 0;
+    client.port.report(snapshotOf({ pose: { x: 150, y: 50, heading: 90 } }));
+    await client.timers.pass(100);
+    expect(client.received("/pose2d")).toEqual([]);
+    client.port.mazeStatus = 200;
+    await client.timers.pass(1_000);
+    expect(client.received("/pose2d")).toMatchObject([{ y: 2.5 }]);
+  });
+
   it("of a robot without a maze measures y from its top edge", async () => {
     const client = await RosClient.connect("drive", false);
     await client.send(subscribe("/pose2d"));

@@ -23,6 +23,8 @@ import { isVelocityType, topicOf, topics, VELOCITY_TOPIC } from "./topics.ts";
 const ERROR_LEVEL = 40;
 const MAX_OPEN_CALLS = 64;
 const MAX_UNREADABLE = 10;
+/** A maze that cannot be read now is read again after this time. */
+const RETRY_MS = 1_000;
 
 export interface RosSessionOptions {
   /** The session closes it. */
@@ -47,6 +49,8 @@ export class RosSession {
   readonly #velocity: MotionRegister;
   readonly #goals: Goals;
   #isClosed = false;
+  /** ends the wait until the maze is read again */
+  #cancelRetry: () => void = () => undefined;
   /** the newest message of /rosout */
   #problem: object | null = null;
   #unreadable = 0;
@@ -124,6 +128,7 @@ export class RosSession {
 
   close(): void {
     this.#isClosed = true;
+    this.#cancelRetry();
     this.#velocity.close();
     this.#goals.close();
     this.#subscriptions.close();
@@ -221,8 +226,13 @@ export class RosSession {
   }
 
   async #readMaze(): Promise<void> {
+    this.#cancelRetry();
     await this.#attempt(() => this.#view.readMaze());
-    if (!this.#view.isReady || this.#isClosed) return;
+    if (this.#isClosed) return;
+    if (!this.#view.isReady) {
+      this.#cancelRetry = this.#options.timers.after(RETRY_MS, () => void this.#readMaze());
+      return;
+    }
     this.#publish("maze");
     this.#publish("once");
     if (this.#view.snapshot !== null) this.#publish("snapshot");

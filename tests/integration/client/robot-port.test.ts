@@ -153,6 +153,24 @@ describe("the port of a client whose relay restarts", () => {
     expect((await port.send({ action: "stop" })).seq).toBe(seq + 1);
   });
 
+  it("learns of a maze that opened while it was not connected", async () => {
+    const relay = await startRelayProcess();
+    const { open, publishMaze } = await world(relay);
+    await publishMaze("First");
+    const port = await open("watch");
+    const mazes: string[] = [];
+    const ignore = (): void => undefined;
+    const maze = (version: string): void => void mazes.push(version);
+    port.subscribe({ snapshot: ignore, state: ignore, gap: ignore, maze, end: ignore });
+    const { version } = await port.readMaze();
+    mazes.length = 0;
+    await relay.killAndRestart();
+    await publishMaze("Second");
+    await vi.waitFor(() => expect(mazes).toHaveLength(1), WAIT);
+    expect(mazes[0]).not.toBe(version);
+    expect((await port.readMaze()).version).toBe(mazes[0]);
+  });
+
   it("refuses when the relay does not return in time", async () => {
     const relay = await startRelayProcess();
     const { open } = await world(relay);

@@ -18,6 +18,8 @@ export class ManualPort implements RobotPort {
   readonly capability: RobotPort["capability"];
   newest: Snapshot | null = null;
   maze: object | null = null;
+  /** status of the answer to a request for the maze, if it has one */
+  mazeStatus = 200;
   readonly orders: Order[] = [];
   readonly cancelled: number[] = [];
   isClosed = false;
@@ -102,6 +104,7 @@ export class ManualPort implements RobotPort {
 
   async readMaze(): Promise<PublishedMaze> {
     if (this.maze === null) throw refusal("no-maze", 404, "The robot has no maze.");
+    if (this.mazeStatus !== 200) throw refusal("unavailable", this.mazeStatus, "Try again.");
     return { text: JSON.stringify(this.maze), version: "A".repeat(22) };
   }
 

@@ -35,6 +35,10 @@ describe("lines of a connection", () => {
     expect(linesOf(...flood, "\nnext\n")).toEqual([null, "next"]);
   });
 
+  it("may begin with a byte order mark", () => {
+    expect(linesOf("\uFEFF{}\n")).toEqual(["{}"]);
+  });
+
   it("may contain bytes that are no UTF-8", () => {
     expect(linesOf(Buffer.from([0xff, 0xfe, 0x0a]))).toEqual(["\uFFFD\uFFFD"]);
   });

@@ -22,7 +22,8 @@ export class LineReader {
       if (this.#isTooLong) this.#line = Buffer.alloc(0);
       else if (part.length > 0) this.#line = Buffer.concat([this.#line, part]);
       if (end < 0) return;
-      if (!this.#isTooLong) yield this.#line.toString().trimEnd();
+      // .NET begins a stream with a byte order mark, which counts as white space.
+      if (!this.#isTooLong) yield this.#line.toString().trim();
       this.#line = Buffer.alloc(0);
       this.#isTooLong = false;
       start = end + 1;
