@@ -76,8 +76,17 @@ class SimulatedBody:
 
     @property
     def at_goal(self) -> bool:
-        column, row = math.floor(self.pose.x / CELL), math.floor(self.pose.y / CELL)
-        return not self._is_block(column, row) and self._plan[row][column] == "G"
+        """Whether the whole robot stands in a goal cell."""
+        # A robot that touches the wall of the cell stands in it, in spite of rounding.
+        reach = RADIUS - 0.1
+        cells = {
+            (math.floor((self.pose.x + dx) / CELL), math.floor((self.pose.y + dy) / CELL))
+            for dx in (-reach, reach)
+            for dy in (-reach, reach)
+        }
+        column, row = next(iter(cells))
+        is_inside = len(cells) == 1 and not self._is_block(column, row)
+        return is_inside and self._plan[row][column] == "G"
 
     def ranges(self) -> Dict[str, float]:
         """Distances in cm from the robot's centre to the next wall in four directions."""

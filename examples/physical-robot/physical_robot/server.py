@@ -5,6 +5,8 @@ from __future__ import annotations
 import hmac
 import json
 import re
+import select
+import socket
 import time
 import traceback
 from functools import partial
@@ -25,6 +27,8 @@ _KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")
 _CLOCK = re.compile(r"([A-Za-z0-9_-]{8,32}) (\d{1,15})")
 _SINCE = re.compile(r"[A-Za-z0-9_]{8}-\d{1,15}")
 _HEARTBEAT = 15.0
+#: interval at which a waiting request looks whether its client is still there
+_LOOK_SECONDS = 0.5
 #: Headers that cross-origin requests may send.
 _HEADERS = "Authorization, Content-Type, Idempotency-Key, Last-Event-ID, Script-Clock, Script-Name"
 
@@ -298,11 +302,22 @@ class _Handler(BaseHTTPRequestHandler):
         with store.changed:
             # A waiting request counts as contact, so that a motion without an end continues.
             store.open_requests += 1
+            ends_at = time.monotonic() + wait
             try:
-                store.changed.wait_for(condition, wait)
+                while not condition() and time.monotonic() < ends_at and not self._is_gone():
+                    left = max(0.0, ends_at - time.monotonic())
+                    store.changed.wait(min(_LOOK_SECONDS, left))
             finally:
                 store.open_requests -= 1
                 store.last_contact = time.monotonic()
+
+    def _is_gone(self) -> bool:
+        """Whether the client has closed its connection, so that nobody waits any more."""
+        try:
+            readable, _, _ = select.select([self.connection], [], [], 0)
+            return bool(readable) and self.connection.recv(1, socket.MSG_PEEK) == b""
+        except OSError:
+            return True
 
     def _accepted(self, record: Json) -> None:
         location = f"/api/v1/robots/{self.server.robot_id}/commands/{record['seq']}"
@@ -315,7 +330,7 @@ class _Handler(BaseHTTPRequestHandler):
         headers: Optional[Dict[str, str]] = None,
         kind: str = "application/json",
     ) -> None:
-        body = b"" if document is None else json.dumps(document).encode()
+        body = b"" if document is None else json.dumps(document, separators=(",", ":")).encode()
         self._head(
             status, {"Content-Type": kind, "Content-Length": str(len(body)), **(headers or {})}
         )

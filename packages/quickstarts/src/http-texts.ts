@@ -57,9 +57,9 @@ public class Robot {
     return HttpClient.newHttpClient().send(request.build(), HttpResponse.BodyHandlers.ofString()).body(); }
   public static void main(String[] words) throws Exception {
     var text = ask("/commands", "{\\"action\\":\\"left 90\\"}");
-    if (text.contains("\\"seq\\":")) text = ask("/commands/" + text.replaceAll(".*\\"seq\\":(\\\\d+).*", "$1") + "?wait=25");
-    System.out.println(text.replaceAll(".*\\"(?:detail|reason)\\":\\"([^\\"]+)\\".*|.*\\"state\\":\\"(\\\\w+)\\".*", "$1$2"));
-    System.exit(text.contains("\\"state\\":\\"completed\\"") ? 0 : 1); } }
+    if (text.contains("\\"seq\\":")) text = ask("/commands/" + text.replaceAll(".*\\"seq\\": *(\\\\d+).*", "$1") + "?wait=25");
+    System.out.println(text.replaceAll(".*\\"(?:detail|reason)\\": *\\"([^\\"]+)\\".*|.*\\"state\\": *\\"(\\\\w+)\\".*", "$1$2"));
+    System.exit(text.matches(".*\\"state\\": *\\"completed\\".*") ? 0 : 1); } }
 `;
 }
 
@@ -79,7 +79,7 @@ class Robot {
         return http.SendAsync(request).Result.Content.ReadAsStringAsync().Result;
     }
     static string Field(string json, string name) =>
-        Regex.Match(json, "\\"" + name + "\\":\\"?((?<=\\")[^\\"]*|\\\\d+)").Groups[1].Value;
+        Regex.Match(json, "\\"" + name + "\\": *\\"?((?<=\\")[^\\"]*|\\\\d+)").Groups[1].Value;
     static int Main() {
         var command = Ask("/commands", "{\\"action\\":\\"left 90\\"}");
         var seq = Field(command, "seq");
@@ -126,9 +126,9 @@ export function curl(robot: RobotParts): string {
 AUTH="Authorization: Bearer ${robot.key}"
 JSON="Content-Type: application/json"
 ANSWER=$(curl -sS $ROBOT/commands -H "$AUTH" -H "$JSON" -d '{"action":"left 90"}')
-SEQ=$(echo "$ANSWER" | grep -o '"seq":[0-9]*' | cut -d: -f2)
+SEQ=$(echo "$ANSWER" | grep -o '"seq": *[0-9]*' | tr -dc 0-9)
 if [ "$SEQ" ]; then ANSWER=$(curl -sS "$ROBOT/commands/$SEQ?wait=25" -H "$AUTH"); fi
-echo "$ANSWER" | grep -oE '"(state|reason|detail)":"[^"]*"'
-echo "$ANSWER" | grep -q '"state":"completed"' || exit 1
+echo "$ANSWER" | grep -oE '"(state|reason|detail)": *"[^"]*"'
+echo "$ANSWER" | grep -q '"state": *"completed"' || exit 1
 `;
 }

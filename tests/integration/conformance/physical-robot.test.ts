@@ -2,8 +2,8 @@
 import { execFile, execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
-import { SILENT_WORDS } from "@corridor/protocol";
-import { describe, expect, it, onTestFinished } from "vitest";
+import { SILENT_WORDS, type CommandRecord } from "@corridor/protocol";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { startPhysicalRobot } from "../../support/conformance/physical-robot.ts";
 
 const run = promisify(execFile);
@@ -15,6 +15,19 @@ async function startHost(room: string): Promise<string> {
   const robot = await startPhysicalRobot({ room });
   onTestFinished(robot.stop);
   return robot.address;
+}
+
+/** The commands of a robot by single requests. */
+function apiOf(address: string) {
+  const [robot = "", key = ""] = address.split("#");
+  const url = robot.replace("/r/", "/api/v1/robots/");
+  const headers = { Authorization: `Bearer ${key}`, "Content-Type": "application/json" };
+  const ask = async (path: string, init: RequestInit): Promise<CommandRecord> =>
+    (await (await fetch(url + path, { ...init, headers })).json()) as CommandRecord;
+  return {
+    send: (command: object) => ask("/commands", { method: "POST", body: JSON.stringify(command) }),
+    get: (path: string, signal: AbortSignal | null = null) => ask(path, { signal }),
+  };
 }
 
 function has([program = "", ...words]: string[]): boolean {
@@ -52,6 +65,33 @@ no-maze This robot has no map of its room. Use only its sensors.
 completed
 `,
     );
+  });
+
+  it("stops soon after a script has ended that waits for its command", async () => {
+    const { send, get } = apiOf(
+      await startHost("####################,#..................#,####################"),
+    );
+    const { seq } = await send({ action: "right 90" });
+    await get(`/commands/${seq}?wait=25`);
+    const forward = await send({ action: "forward" });
+    const script = new AbortController();
+    const waiting = get(`/commands/${forward.seq}?wait=25`, script.signal);
+    setTimeout(() => script.abort(), 500);
+    await expect(waiting).rejects.toThrow("aborted");
+    // Each look counts as contact with the script.
+    await vi.waitFor(
+      async () =>
+        expect(await get(`/commands/${forward.seq}`)).toMatchObject({ state: "cancelled" }),
+      { timeout: 30_000, interval: 5_000 },
+    );
+  });
+
+  it("is at the goal once the whole robot stands in the cell", async () => {
+    const { send, get } = apiOf(await startHost("###,#G#,#.#,#S#,###"));
+    const { seq } = await send({ action: "forward", until: [{ goal: true }] });
+    const record = await get(`/commands/${seq}?wait=25`);
+    expect(record.state).toBe("completed");
+    expect(record.distance).toBeGreaterThan(170);
   });
 
   it("is driven by the Python library, including motions without an end", async () => {
