@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { noChallenge, openTask } from "../challenge/challenge-store.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
-import { setMaze, setProgram } from "../workspace/workspace-store.ts";
+import { setMaze, setProgram, undo } from "../workspace/workspace-store.ts";
 import { LessonsNavigation } from "./lessons-navigation.ts";
 import { lines } from "./missions/mission.ts";
-import { sampleLesson } from "./testing/sample-lesson.ts";
+import { sampleLesson, sampleTask } from "./testing/sample-lesson.ts";
 import { StoredLessons } from "./stored-lessons.ts";
 import { lessonsPage, noAddressBar } from "./testing/lessons-page.ts";
 
@@ -60,6 +60,30 @@ describe("navigation between missions", () => {
     expect(challenge.getState().maze).toBe(1);
     expect(workspace.getState().program).toEqual(program);
     expect(judged).toEqual([0, 1]);
+  });
+
+  it("does not return to the previous maze by Undo, which reverts only edits", () => {
+    const { navigation, challenge, workspace } = openPage();
+    navigation.openMission("every-maze");
+    const { program } = workspace.getState();
+    setProgram(workspace, lines("reverse"));
+    navigation.showMaze(1);
+    undo(workspace);
+    expect(workspace.getState().program).toEqual(program);
+    expect(challenge.getState().maze).toBe(1);
+    expect(workspace.temporal.getState().pastStates).toEqual([]);
+  });
+
+  it("ends the run where Undo returns to the previous maze of an editable task", () => {
+    const { navigation, challenge, workspace, sent } = openPage();
+    const every = sampleTask("every-maze", "Mine");
+    const task = { ...every, allowed: { ...every.allowed, maze: true } };
+    navigation.openShared({ ...sampleLesson, tasks: [task] }, null);
+    navigation.showMaze(1);
+    sent.length = 0;
+    undo(workspace);
+    expect(challenge.getState().maze).toBe(0);
+    expect(sent).toEqual([{ type: "reset" }]);
   });
 
   it("closes a challenge whose maze the student replaces, and says so", () => {

@@ -15,6 +15,7 @@ import { LessonAddress, type AddressBar } from "../address/lesson-address.ts";
 import { noChallenge, openTask, type TaskPlace } from "../challenge/challenge-store.ts";
 import { firstProject } from "../projects/first-visit.ts";
 import { dismiss, showMessage } from "../screen/screen-store.ts";
+import { replaceMaze } from "../workspace/replace-maze.ts";
 import { setMaze } from "../workspace/workspace-store.ts";
 import type { Attempt } from "./attempt.ts";
 import { readLessonText, writeLessonText } from "./lesson-text.ts";
@@ -214,11 +215,16 @@ export class LessonsNavigation {
   /** Shows another given maze of the task. The program stays. */
   showMaze(index: number): void {
     const { challenge, workspace, simulator } = this.#ports;
-    const maze = openTask(challenge.getState())?.mazes[index];
-    if (maze === undefined) return;
-    // The run of the other maze ends first: this maze must not be judged by it.
-    simulator.send({ type: "reset" });
-    setMaze(workspace, { ...maze, name: workspace.getState().maze.name });
+    const state = challenge.getState();
+    const task = openTask(state);
+    const given = task?.mazes[index];
+    if (task === null || given === undefined) return;
+    // `#followMaze` resets the robot for another maze.
+    if (index === state.maze) simulator.send({ type: "reset" });
+    const maze = { ...given, name: workspace.getState().maze.name };
+    // Where the student edits mazes, Undo restores the edited one.
+    if (task.allowed.maze) setMaze(workspace, maze);
+    else replaceMaze(workspace, maze);
   }
 
   /** Reopens what was open before the first mission. The missions stay on the device. */
@@ -277,7 +283,7 @@ export class LessonsNavigation {
    * else.
    */
   #followMaze(maze: MazeDocument): void {
-    const { challenge: store, projects } = this.#ports;
+    const { challenge: store, projects, simulator } = this.#ports;
     const { lesson, index, mission, lessonId, maze: shown } = store.getState();
     const task = lesson?.tasks[index];
     if (lesson === null || task === undefined) return;
@@ -288,6 +294,8 @@ export class LessonsNavigation {
       this.#detach();
       this.#reportReplaced({ lesson, index, mission, lessonId });
     } else if (displayed !== shown) {
+      // The run of the other maze ends first: this maze must not be judged by it.
+      simulator.send({ type: "reset" });
       this.#attempt.begin(task, displayed, mission);
       store.setState({ maze: displayed, failedRun: null, result: { state: "open" } });
     }
