@@ -124,8 +124,10 @@ export function createServices(browser: Browser): Services {
 
   simulator.send({ type: "load", maze, program });
   sendEdits(workspace, simulator);
+  const storage = new LessonsStorage(device);
   const projects = new ProjectService({
     store,
+    tasks: storage,
     current,
     workspace,
     screen,
@@ -156,7 +158,6 @@ export function createServices(browser: Browser): Services {
     run,
   });
   const speech = new Speech({ now, later });
-  const storage = new LessonsStorage(device);
   const lessons = new LessonsEntry({
     simulator,
     workspace,

@@ -48,7 +48,13 @@ function openDuring(pause: ReactNode, ...files: TextFile[]) {
   const classes = createClassStore();
   classes.setState({ pause });
   const ports = { workspace, screen, simulator: { send: () => undefined }, words };
-  const projects = new ProjectService({ ...ports, store, current, later: () => undefined });
+  const projects = new ProjectService({
+    ...ports,
+    store,
+    current,
+    tasks: { hasTask: () => false },
+    later: () => undefined,
+  });
   const services = { screen, workspace, projects, classes, simulator: ports.simulator };
   const reports = openFiles(services as unknown as Parameters<typeof openFiles>[0], words, files);
   const shown = () => {

@@ -50,6 +50,7 @@ function openPage(
   const simulator = { send: () => undefined };
   const projects = new ProjectService({
     store,
+    tasks: { hasTask: () => false },
     current,
     workspace,
     screen,

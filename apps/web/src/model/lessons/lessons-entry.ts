@@ -71,10 +71,7 @@ export class LessonsEntry {
   }
 
   #belongsToChallenge(): boolean {
-    const { storage } = this.#ports;
-    return (
-      storage.missionOf(this.#projectId) !== null || storage.challengeOf(this.#projectId) !== null
-    );
+    return this.#ports.storage.hasTask(this.#projectId);
   }
 
   async #sync(): Promise<void> {

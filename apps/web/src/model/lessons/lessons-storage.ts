@@ -114,6 +114,11 @@ export class LessonsStorage {
     return this.#challenges.get(project) ?? this.#device.getItem(challengeKey(project));
   }
 
+  /** Whether this project belongs to a mission or a lesson. */
+  hasTask(project: string): boolean {
+    return this.missionOf(project) !== null || this.challengeOf(project) !== null;
+  }
+
   /** @returns whether the device stored the text */
   storeChallenge(project: string, text: string): boolean {
     this.#challenges.set(project, text);

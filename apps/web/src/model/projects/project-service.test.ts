@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { createScreenStore, showMessage } from "../screen/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../workspace/workspace-store.ts";
+import { LessonsStorage } from "../lessons/lessons-storage.ts";
 import { CurrentProject } from "./current-project.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import { readProject } from "./read-project.ts";
@@ -32,8 +33,10 @@ function openTab(device: MemoryStorage) {
   const sent: string[] = [];
   const simulator = { send: ({ type }: ToWorker) => void sent.push(type) };
   sendEdits(workspace, simulator);
+  const tasks = new LessonsStorage(device);
   const projects = new ProjectService({
     store,
+    tasks,
     current,
     workspace,
     screen,
@@ -58,7 +61,7 @@ function openTab(device: MemoryStorage) {
       .list()
       .map(({ maze }) => maze.name)
       .toSorted();
-  return { projects, screen, shown, edit, listed, texts, names, sent };
+  return { projects, tasks, screen, shown, edit, listed, texts, names, sent };
 }
 
 /** Two tabs: one has "Draft" open, two has "Other" open. */
@@ -137,6 +140,31 @@ describe("projects with equal documents", () => {
     expect(two.names()).toEqual(["Draft", "Other", "Other"]);
     back();
     expect(two.projects.currentId()).toBe(own);
+  });
+
+  it("are two if one belongs to a task, which a run or a maze from a link does not solve", () => {
+    const { projects, tasks } = openTab(new MemoryStorage());
+    const maze = { ...firstMaze, name: "Task" };
+    projects.beginNew(maze, firstProgram);
+    const task = projects.currentId();
+    tasks.storeChallenge(task, "task");
+    projects.beginShared(maze, firstProgram, true);
+    const mission = projects.currentId();
+    expect(mission).not.toBe(task);
+    tasks.add({ works: { "one-line": mission } });
+    projects.beginShared(maze, firstProgram);
+    expect([task, mission]).not.toContain(projects.currentId());
+  });
+
+  it("lead back from a run to the task, which nobody has edited", () => {
+    const { projects, tasks, edit } = openTab(new MemoryStorage());
+    edit("Mine");
+    projects.beginNew({ ...firstMaze, name: "Task" }, firstProgram);
+    const task = projects.currentId();
+    tasks.storeChallenge(task, "task");
+    const back = projects.beginShared({ ...firstMaze, name: "Recorded" }, firstProgram, true);
+    back();
+    expect(projects.currentId()).toBe(task);
   });
 });
 

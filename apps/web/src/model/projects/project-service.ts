@@ -18,9 +18,15 @@ import { startAutosave, type Autosave } from "./autosave.ts";
 import type { CurrentProject } from "./current-project.ts";
 import type { Project, ProjectStorage } from "./project-storage.ts";
 
+/** The tasks of lessons and missions. Each belongs to a project. */
+interface ProjectTasks {
+  hasTask: (project: string) => boolean;
+}
+
 export interface ProjectPorts {
   store: ProjectStorage;
   current: CurrentProject;
+  tasks: ProjectTasks;
   workspace: WorkspaceStore;
   screen: ScreenStore;
   simulator: Pick<SimulatorClient, "send">;
@@ -68,7 +74,8 @@ export class ProjectService {
   }
 
   /**
-   * Opens documents as a new project, or the stored project with exactly these documents.
+   * Opens documents as a new project, or the stored project with exactly these documents. Never
+   * opens a project of a task: a run from elsewhere must not solve it.
    * @param program null: a copy of the user's own program
    * @param isRobotThere whether the displayed run has these documents
    * @returns a function that returns to the previous project: its newest version, or the edits that
@@ -76,7 +83,10 @@ export class ProjectService {
    */
   begin(maze: MazeDocument, program: ProgramDocument | null, isRobotThere = false): () => void {
     this.autosave.flush();
-    const found = this.#ports.store.list().find((project) => isCopy(project, maze, program));
+    const { store, tasks } = this.#ports;
+    const found = store
+      .list()
+      .find((project) => isCopy(project, maze, program) && !tasks.hasTask(project.id));
     if (found === undefined) return this.beginNew(maze, program, isRobotThere);
     this.#offerUnsaved();
     const back = this.#backAction();
@@ -157,11 +167,14 @@ export class ProjectService {
     program: ProgramDocument | null,
     isRobotThere = false,
   ): () => void {
-    const { current, workspace } = this.#ports;
+    const { current, workspace, tasks } = this.#ports;
     this.autosave.flush();
     const open = workspace.getState();
-    const isUnedited = !current.project.edited && current.has(open.maze, open.program);
-    const home = isUnedited ? (this.#ownProject ?? this.#backToNewestOwn()) : null;
+    const isShared =
+      !current.project.edited &&
+      current.has(open.maze, open.program) &&
+      !tasks.hasTask(this.currentId());
+    const home = isShared ? (this.#ownProject ?? this.#backToNewestOwn()) : null;
     const back = this.begin(maze, program, isRobotThere);
     this.#ownProject = home ?? back;
     return this.#ownProject;
