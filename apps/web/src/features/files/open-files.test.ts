@@ -52,7 +52,7 @@ function openDuring(pause: ReactNode, ...files: TextFile[]) {
     ...ports,
     store,
     current,
-    tasks: { hasTask: () => false },
+    tasks: { hasTask: () => false, copyTask: () => undefined },
     later: () => undefined,
   });
   const services = { screen, workspace, projects, classes, simulator: ports.simulator };

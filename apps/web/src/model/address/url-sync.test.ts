@@ -50,7 +50,7 @@ function openPage(
   const simulator = { send: () => undefined };
   const projects = new ProjectService({
     store,
-    tasks: { hasTask: () => false },
+    tasks: { hasTask: () => false, copyTask: () => undefined },
     current,
     workspace,
     screen,

@@ -13,17 +13,17 @@ import type { LessonsService } from "./lessons-service.ts";
 export class LessonsEntry {
   readonly #ports: LessonsPorts;
   #service: Promise<LessonsService> | null = null;
-  #projectId: string;
+  #opened: number;
 
   constructor(ports: LessonsPorts) {
     this.#ports = ports;
     const { projects, workspace, challenge, storage } = ports;
-    this.#projectId = projects.currentId();
+    this.#opened = projects.opened();
     if (!storage.isKnown && projects.list().length === 0) challenge.setState({ isInvited: true });
     if (this.#belongsToChallenge()) void this.#sync();
     workspace.subscribe(() => {
-      if (projects.currentId() === this.#projectId) return;
-      this.#projectId = projects.currentId();
+      if (projects.opened() === this.#opened) return;
+      this.#opened = projects.opened();
       challenge.setState({ isInvited: false });
       if (this.#belongsToChallenge()) void this.#sync().then(() => this.handOver());
       else if (challenge.getState().lesson !== null) challenge.setState(noChallenge);
@@ -71,7 +71,8 @@ export class LessonsEntry {
   }
 
   #belongsToChallenge(): boolean {
-    return this.#ports.storage.hasTask(this.#projectId);
+    const { storage, projects } = this.#ports;
+    return storage.hasTask(projects.currentId());
   }
 
   async #sync(): Promise<void> {

@@ -86,6 +86,14 @@ describe("navigation between missions", () => {
     expect(sent).toEqual([{ type: "reset" }]);
   });
 
+  it("continues in the copy of a project that another tab has stored", () => {
+    const { navigation, challenge, fork } = openPage();
+    navigation.openMission("every-maze");
+    fork();
+    navigation.showMaze(1);
+    expect(challenge.getState().maze).toBe(1);
+  });
+
   it("closes a challenge whose maze the student replaces, and says so", () => {
     const { navigation, challenge, workspace, storage, messages } = openPage();
     navigation.openMission("one-line");

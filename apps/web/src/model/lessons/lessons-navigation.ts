@@ -47,8 +47,8 @@ export class LessonsNavigation {
   readonly #attempt: Pick<Attempt, "begin">;
   readonly #lessons: StoredLessons;
   readonly #address: LessonAddress;
-  /** id of the project with the open task */
-  #projectId: string | null = null;
+  /** `ProjectService.opened` of the project with the open task */
+  #opened: number | null = null;
   /** reopens what was open before the first mission, even if it was never stored */
   #backAction: (() => void) | null = null;
 
@@ -269,7 +269,7 @@ export class LessonsNavigation {
       this.#detach();
       return;
     }
-    this.#projectId = projects.currentId();
+    this.#opened = projects.opened();
     this.#attempt.begin(task, maze, mission);
     const solved = lessonId === null ? [] : this.#lessons.solved(lessonId, lesson);
     const rights = rightsOf(task);
@@ -287,7 +287,7 @@ export class LessonsNavigation {
     const { lesson, index, mission, lessonId, maze: shown } = store.getState();
     const task = lesson?.tasks[index];
     if (lesson === null || task === undefined) return;
-    if (projects.currentId() !== this.#projectId) return;
+    if (projects.opened() !== this.#opened) return;
     const displayed = mazeIndex(task, maze);
     if (displayed === null) {
       if (task.allowed.maze) return;

@@ -18,7 +18,7 @@ export interface LessonsPorts {
   run: Pick<RunStore, "getState" | "setState">;
   projects: Pick<
     ProjectService,
-    "begin" | "beginNew" | "open" | "backAction" | "list" | "currentId"
+    "begin" | "beginNew" | "open" | "backAction" | "list" | "currentId" | "opened"
   >;
   challenge: ChallengeStore;
   storage: LessonsStorage;

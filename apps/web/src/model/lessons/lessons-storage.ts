@@ -125,6 +125,14 @@ export class LessonsStorage {
     return this.#store(challengeKey(project), text);
   }
 
+  /** Lets a copy of a project continue its task: a mission in the copy, a lesson in both. */
+  copyTask(from: string, to: string): void {
+    const mission = this.missionOf(from);
+    if (mission !== null) this.add({ works: { [mission]: to } });
+    const challenge = this.challengeOf(from);
+    if (challenge !== null) this.storeChallenge(to, challenge);
+  }
+
   deleteChallenge(project: string): void {
     this.#challenges.delete(project);
     this.#device.removeItem(challengeKey(project));

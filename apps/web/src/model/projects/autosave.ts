@@ -15,8 +15,8 @@ export interface AutosavePorts {
   screen: ScreenStore;
   /** calls a function later, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
-  /** another tab had changed the project: this tab's version is a new project now */
-  onFork: () => void;
+  /** another tab had changed the project of this id: this tab's version is a new project now */
+  onFork: (id: string) => void;
   /** the storage refused a write for the first time since the last successful one */
   onBlocked: () => void;
 }
@@ -38,9 +38,9 @@ export function startAutosave(ports: AutosavePorts): Autosave {
       return;
     }
     try {
-      const outcome = current.save(maze, program);
+      const forked = current.save(maze, program);
       screen.setState({ saved: "saved" });
-      if (outcome === "forked") ports.onFork();
+      if (forked !== null) ports.onFork(forked);
     } catch {
       const wasBlocked = screen.getState().saved === "blocked";
       screen.setState({ saved: "blocked" });

@@ -21,6 +21,7 @@ export interface CurrentProjectPorts {
 
 export class CurrentProject {
   readonly #ports: CurrentProjectPorts;
+  #opened = 0;
   /** as this tab last read or wrote it; another stored revision comes from another tab */
   #project: Project;
 
@@ -41,6 +42,11 @@ export class CurrentProject {
     return this.#project;
   }
 
+  /** How often another project was opened. A copy after a fork continues the same project. */
+  get opened(): number {
+    return this.#opened;
+  }
+
   /** Whether exactly these documents are already stored or were opened. */
   has(maze: MazeDocument, program: ProgramDocument): boolean {
     return this.#project.maze === maze && this.#project.program === program;
@@ -48,15 +54,16 @@ export class CurrentProject {
 
   /**
    * Stores an edit of the project.
-   * @returns "forked" if another tab had stored the project since, or its entry was damaged; the
-   *   project is a new one then
+   * @returns the id until now if another tab had stored the project since, or its entry was damaged;
+   *   the project is a new one then. Otherwise null
    * @throws the error of the storage if it is full or forbidden
    */
-  save(maze: MazeDocument, program: ProgramDocument): "saved" | "forked" {
+  save(maze: MazeDocument, program: ProgramDocument): string | null {
     const { store, now, newId } = this.#ports;
+    const { id } = this.#project;
     const isForked = !store.canOverwrite(this.#project);
     const project: Project = {
-      id: isForked ? newId() : this.#project.id,
+      id: isForked ? newId() : id,
       savedAt: now(),
       revision: newId(),
       edited: true,
@@ -65,7 +72,7 @@ export class CurrentProject {
     };
     store.write(project);
     this.#setCurrent(project);
-    return isForked ? "forked" : "saved";
+    return isForked ? id : null;
   }
 
   /**
@@ -75,7 +82,7 @@ export class CurrentProject {
    */
   open(listed: Project): Project {
     const newest = this.#ports.store.read(listed.id) ?? listed;
-    this.#setCurrent(newest);
+    this.#open(newest);
     return newest;
   }
 
@@ -84,7 +91,7 @@ export class CurrentProject {
    * stored the project since, the next write forks it.
    */
   resume(known: Project): void {
-    this.#setCurrent(known);
+    this.#open(known);
   }
 
   /**
@@ -98,6 +105,11 @@ export class CurrentProject {
     } catch {
       // The project is open all the same, and the next edit reports the error.
     }
+    this.#open(project);
+  }
+
+  #open(project: Project): void {
+    if (project.id !== this.#project.id) this.#opened++;
     this.#setCurrent(project);
   }
 

@@ -169,6 +169,33 @@ describe("projects with equal documents", () => {
 });
 
 describe("a project with a challenge", () => {
+  /** A tab whose project becomes a copy, because another tab has stored the project. */
+  function fork(addTask: (tab: ReturnType<typeof openTab>, project: string) => void) {
+    const device = new MemoryStorage();
+    const one = openTab(device);
+    one.edit("Draft");
+    const original = one.projects.currentId();
+    addTask(one, original);
+    const opened = one.projects.opened();
+    openTab(device).edit("Draft, by two");
+    one.edit("Draft, by one");
+    const copy = one.projects.currentId();
+    expect(copy).not.toBe(original);
+    expect(one.projects.opened()).toBe(opened);
+    return { tasks: new LessonsStorage(device), original, copy };
+  }
+
+  it("continues it in both tabs that edit the project", () => {
+    const { tasks, original, copy } = fork((tab, id) => tab.tasks.storeChallenge(id, "task"));
+    expect(tasks.challengeOf(original)).toBe("task");
+    expect(tasks.challengeOf(copy)).toBe("task");
+  });
+
+  it("continues a mission in the newest copy", () => {
+    const { tasks, copy } = fork((tab, id) => tab.tasks.add({ works: { "one-line": id } }));
+    expect(tasks.missionOf(copy)).toBe("one-line");
+  });
+
   it("has it again after its deletion is reverted", () => {
     const { device, two } = openTwoTabs();
     const draft = two.listed("Draft");

@@ -21,6 +21,7 @@ import type { Project, ProjectStorage } from "./project-storage.ts";
 /** The tasks of lessons and missions. Each belongs to a project. */
 interface ProjectTasks {
   hasTask: (project: string) => boolean;
+  copyTask: (from: string, to: string) => void;
 }
 
 export interface ProjectPorts {
@@ -43,10 +44,13 @@ export class ProjectService {
 
   constructor(ports: ProjectPorts) {
     this.#ports = ports;
-    const { screen, words } = ports;
+    const { screen, words, tasks } = ports;
     this.autosave = startAutosave({
       ...ports,
-      onFork: () => showMessage(screen, { tone: "info", text: words.t("projects.forked") }),
+      onFork: (id) => {
+        tasks.copyTask(id, this.currentId());
+        showMessage(screen, { tone: "info", text: words.t("projects.forked") });
+      },
       onBlocked: () => showMessage(screen, { tone: "bad", text: words.t("projects.blocked") }),
     });
     this.#reportDamaged();
@@ -62,6 +66,11 @@ export class ProjectService {
 
   currentId(): string {
     return this.#ports.current.project.id;
+  }
+
+  /** How often another project was opened. A copy of the open one is no other project. */
+  opened(): number {
+    return this.#ports.current.opened;
   }
 
   /**

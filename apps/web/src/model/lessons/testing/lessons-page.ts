@@ -31,7 +31,9 @@ export function lessonsPage() {
   const listeners: ((message: FromWorker) => void)[] = [];
   let current: TestProject = { id: "own", maze: firstMaze, program: firstProgram };
   const projects = [current];
+  let opened = 0;
   const open = (project: TestProject): void => {
+    if (project.id !== current.id) opened++;
     current = project;
     openProject(workspace, project.maze, project.program);
   };
@@ -60,6 +62,7 @@ export function lessonsPage() {
         return () => open(before);
       },
       currentId: () => current.id,
+      opened: () => opened,
       list: () => projects,
     },
     simulator: {
@@ -80,6 +83,10 @@ export function lessonsPage() {
     /** A message of the worker. */
     report: (message: FromWorker) => {
       for (const listener of listeners) listener(message);
+    },
+    /** Another tab has stored the project: the open one is a copy now. */
+    fork: () => {
+      current = { ...current, id: `${current.id}-copy` };
     },
     messages: () => screen.getState().messages,
   };
