@@ -14,6 +14,7 @@ import { Playhead } from "./Playhead.tsx";
 import { Ribbon } from "./Ribbon.tsx";
 import { Scrubber } from "./scrubber.ts";
 import { describeTick, tickText, type TickDescription } from "../../model/run/tick-description.ts";
+import { isProgramRefused } from "../../model/run/run-button.ts";
 import { timelineKey } from "./timeline-keys.ts";
 import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
@@ -39,7 +40,7 @@ interface Tip {
 
 export function RunTimeline() {
   const { t, i18n } = useTranslation();
-  const { run, simulator, timeline } = useServices();
+  const { challenge, run, simulator, timeline } = useServices();
   const bar = useRef<HTMLDivElement>(null);
   const track = useRef<HTMLDivElement>(null);
   const slider = useRef<HTMLInputElement>(null);
@@ -104,7 +105,9 @@ export function RunTimeline() {
   function onKey(event: KeyboardEvent): void {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
     const { snapshot, nowTick } = run.getState();
-    const message = timelineKey(event.key, snapshot?.tick ?? 0, nowTick, event.shiftKey);
+    const isRefused = isProgramRefused(challenge.getState().rights);
+    const shownTick = snapshot?.tick ?? 0;
+    const message = timelineKey(event.key, shownTick, nowTick, event.shiftKey, isRefused);
     if (message === null) return;
     event.preventDefault();
     setFocused(true);

@@ -22,4 +22,14 @@ describe("a key on the timeline", () => {
     expect(timelineKey("PageDown", 200, 2_400)).toEqual({ type: "seek", tick: 0 });
     expect(timelineKey("PageUp", 1_800, 2_400)).toEqual({ type: "now" });
   });
+
+  it.each(["ArrowRight", "ArrowUp"])(
+    "%s does not let the program drive on from now where the task refuses it",
+    (key) => {
+      expect(timelineKey(key, 2_400, 2_400, false, true)).toBeNull();
+      expect(timelineKey(key, 2_400, 2_400, true, true)).toBeNull();
+      expect(timelineKey(key, 900, 2_400, false, true)).toEqual({ type: "seek-step", by: 1 });
+      expect(timelineKey(key, 900, 2_400, true, true)).toEqual({ type: "seek", tick: 901 });
+    },
+  );
 });

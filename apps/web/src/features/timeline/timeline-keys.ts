@@ -8,6 +8,7 @@ const PAGE = 600;
  * @param shownTick the displayed tick
  * @param nowTick the newest tick
  * @param isShift moves by one tick instead of one decision
+ * @param isRefused whether the task refuses the driver Program, which would continue from now
  * @returns the request to the simulator; null if the timeline does not use the key
  */
 export function timelineKey(
@@ -15,7 +16,9 @@ export function timelineKey(
   shownTick: number,
   nowTick: number,
   isShift = false,
+  isRefused = false,
 ): ToWorker | null {
+  if (isRefused && shownTick >= nowTick && (key === "ArrowRight" || key === "ArrowUp")) return null;
   if (isShift) {
     const isBack = key === "ArrowLeft" || key === "ArrowDown";
     if (isBack) return { type: "seek", tick: Math.max(0, shownTick - 1) };
