@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createScreenStore, showMessage } from "../screen/screen-store.ts";
-import { createWorkspaceStore, setMaze } from "../workspace/workspace-store.ts";
+import { createWorkspaceStore, setMaze, setProgram } from "../workspace/workspace-store.ts";
 import { LessonsStorage } from "../lessons/lessons-storage.ts";
 import { CurrentProject } from "./current-project.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
@@ -61,7 +61,24 @@ function openTab(device: MemoryStorage) {
       .list()
       .map(({ maze }) => maze.name)
       .toSorted();
-  return { projects, tasks, screen, shown, edit, listed, texts, names, sent };
+  const program = (name: string) => {
+    setProgram(workspace, { ...firstProgram, name });
+    projects.autosave.flush();
+  };
+  const shownProgram = () => workspace.getState().program.name;
+  return {
+    projects,
+    tasks,
+    screen,
+    shown,
+    shownProgram,
+    edit,
+    program,
+    listed,
+    texts,
+    names,
+    sent,
+  };
 }
 
 /** Two tabs: one has "Draft" open, two has "Other" open. */
@@ -154,6 +171,23 @@ describe("projects with equal documents", () => {
     tasks.add({ works: { "one-line": mission } });
     projects.beginShared(maze, firstProgram);
     expect([task, mission]).not.toContain(projects.currentId());
+  });
+
+  it("open a maze again with the user's newest program, not with the one from then", () => {
+    const { projects, edit, program, shownProgram, listed, names } = openTab(new MemoryStorage());
+    const maze = { ...firstMaze, name: "Maze" };
+    edit("Mine");
+    program("Old");
+    projects.begin(maze, null);
+    const copy = projects.currentId();
+    projects.open(listed("Mine"));
+    projects.begin(maze, null);
+    expect(projects.currentId()).toBe(copy);
+    projects.open(listed("Mine"));
+    program("New");
+    projects.begin(maze, null);
+    expect(shownProgram()).toBe("New");
+    expect(names()).toEqual(["Maze", "Maze", "Mine"]);
   });
 
   it("lead back from a run to the task, which nobody has edited", () => {

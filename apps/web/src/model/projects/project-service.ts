@@ -92,10 +92,16 @@ export class ProjectService {
    */
   begin(maze: MazeDocument, program: ProgramDocument | null, isRobotThere = false): () => void {
     this.autosave.flush();
-    const { store, tasks } = this.#ports;
-    const found = store
-      .list()
-      .find((project) => isCopy(project, maze, program) && !tasks.hasTask(project.id));
+    const { store, tasks, workspace } = this.#ports;
+    const own = workspace.getState().program;
+    const found = store.list().find(
+      (project) =>
+        isSameMaze(project.maze, maze) &&
+        isSameProgram(project.program, program ?? own) &&
+        // A copy for the user's own program is one only until it is edited.
+        (program !== null || !project.edited) &&
+        !tasks.hasTask(project.id),
+    );
     if (found === undefined) return this.beginNew(maze, program, isRobotThere);
     this.#offerUnsaved();
     const back = this.#backAction();
@@ -237,10 +243,4 @@ export class ProjectService {
       showMessage(screen, { tone: "bad", text: words.t("projects.damaged", { reason }) });
     }
   }
-}
-
-/** Whether a stored project equals the documents to open. */
-function isCopy(project: Project, maze: MazeDocument, program: ProgramDocument | null): boolean {
-  if (!isSameMaze(project.maze, maze)) return false;
-  return program === null ? !project.edited : isSameProgram(project.program, program);
 }
