@@ -1,6 +1,6 @@
 /** One line of the program as a sentence: if …, then …, and whether it is true now. */
 import type { Rule } from "@corridor/program";
-import { setAction } from "@corridor/program";
+import { MAX_RULES, setAction } from "@corridor/program";
 import { memo, useLayoutEffect, useMemo, useRef } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
@@ -87,7 +87,14 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       tone: "info",
       isOfProject: true,
       text: t("program.deleted", { line }),
-      action: { label: t("program.undo"), run: bringBack },
+      action: {
+        label: t("program.undo"),
+        run: () => {
+          const max = challenge.getState().rights?.maxLines ?? MAX_RULES;
+          if (bringBack(max)) return;
+          showMessage(screen, { tone: "bad", text: t("program.full", { max }) });
+        },
+      },
     });
     focusNeighbour(workspace.getState().lineIds, index);
   }

@@ -89,6 +89,17 @@ describe("deleting a line", () => {
     expect(workspace.getState().program.rules).toEqual(three.rules);
   });
 
+  it("does not return beyond the limit of a task, and reports that", () => {
+    const workspace = setUp();
+    const bringBack = deleteLine(workspace, 1);
+    addLine(workspace);
+    expect(bringBack(3)).toBe(false);
+    expect(workspace.getState().program.rules).toHaveLength(3);
+    expect(bringBack(4)).toBe(true);
+    expect(workspace.getState().program.rules).toHaveLength(4);
+    expect(bringBack(4)).toBe(true);
+  });
+
   it("does not return twice", () => {
     const workspace = setUp();
     const bringBack = deleteLine(workspace, 1);

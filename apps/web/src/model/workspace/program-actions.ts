@@ -52,24 +52,30 @@ export function moveLine(workspace: WorkspaceStore, index: number, by: -1 | 1): 
 /**
  * Deletes a line.
  * @returns a function that restores it: by undo if nothing else was edited since, otherwise as a
- *   new step of the history
+ *   new step of the history. It returns false if the program has no room for the line: it has the
+ *   maximum number of lines, which a task may limit
  */
-export function deleteLine(workspace: WorkspaceStore, index: number): () => void {
+export function deleteLine(
+  workspace: WorkspaceStore,
+  index: number,
+): (maxLines?: number) => boolean {
   const { program, lineIds } = workspace.getState();
   const rule = program.rules[index];
   const id = lineIds[index];
   const edit = removeRule(program, index);
-  if (!edit.ok || rule === undefined || id === undefined) return () => {};
+  if (!edit.ok || rule === undefined || id === undefined) return () => true;
   applyEdit(workspace, edit, lineIds.toSpliced(index, 1));
   const after = workspace.getState();
-  return () => {
+  return (maxLines = MAX_RULES) => {
     const now = workspace.getState();
     if (now.program === after.program && now.maze === after.maze) {
       undo(workspace);
-    } else if (!now.lineIds.includes(id) && now.program.rules.length < MAX_RULES) {
+    } else if (!now.lineIds.includes(id)) {
+      if (now.program.rules.length >= maxLines) return false;
       const rules = now.program.rules.toSpliced(index, 0, rule);
       setProgram(workspace, { ...now.program, rules }, now.lineIds.toSpliced(index, 0, id));
     }
+    return true;
   };
 }
 
