@@ -1,10 +1,10 @@
 /**
  * The report of the class: on this device, where the pages for teachers list it, and as a file. Each
- * report of a class replaces the one before it.
+ * report of a lesson in the class replaces the one before it.
  */
 import { useTranslation } from "react-i18next";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
-import { reportName, type SavedReport } from "../../model/teaching/saved-reports.ts";
+import { reportId, reportName, type SavedReport } from "../../model/teaching/saved-reports.ts";
 import { datedFileName } from "../../ui/dated-file-name.ts";
 import { saveFile } from "../../ui/save-file.ts";
 import { useContent, useStudentName } from "./dashboard-context.ts";
@@ -29,8 +29,9 @@ export function useReport(label: string): ClassReport {
 
   async function makeReport(): Promise<SavedReport | null> {
     const { reportCsv } = await import("./report-csv.ts");
-    const { classroom, lesson, students, verifications } = dashboard.store.getState();
-    if (lesson === null) return null;
+    const { classroom, lesson, lessonVersion, students, verifications } =
+      dashboard.store.getState();
+    if (lesson === null || lessonVersion === null) return null;
     const csv = reportCsv({
       lesson,
       students: [...students.values()],
@@ -39,7 +40,7 @@ export function useReport(label: string): ClassReport {
       taskName: (task) => t("card.task", { task }),
     });
     return {
-      id,
+      id: reportId(id, lessonVersion),
       savedAt: Date.now(),
       label,
       lesson: lessonName(lesson),

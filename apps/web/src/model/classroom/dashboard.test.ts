@@ -112,6 +112,14 @@ describe("the dashboard", () => {
     expect(sent.at(-1)).toEqual({ type: "verified", student: 1, tasks: [] });
   });
 
+  it("knows the version of the lesson, which distinguishes the reports of a class", () => {
+    const { dashboard, state } = newDashboard();
+    for (const version of ["1", "2"]) {
+      dashboard.receive({ type: "lesson", lesson: sampleLesson, version });
+      expect(state()).toMatchObject({ lesson: sampleLesson, lessonVersion: version });
+    }
+  });
+
   it("knows since when the connection is lost", () => {
     const { dashboard, state, pass } = newDashboard();
     dashboard.receive({ type: "status", status: { kind: "connected" } });

@@ -39,6 +39,8 @@ export interface DashboardState {
   lostAt: number | null;
   classroom: ClassroomState | null;
   lesson: LessonDocument | null;
+  /** null: no lesson is known */
+  lessonVersion: string | null;
   students: ReadonlyMap<number, SeenStudent>;
   shown: ReadonlyMap<number, ShownStanding>;
   /** ms since 1970 at which the connection of a student was lost */
@@ -85,6 +87,7 @@ export class Dashboard {
       lostAt: null,
       classroom: null,
       lesson: null,
+      lessonVersion: null,
       students: nothing,
       shown: nothing,
       awaySince: nothing,
@@ -116,7 +119,7 @@ export class Dashboard {
       case "state":
         return this.store.setState({ classroom: message.state, now });
       case "lesson":
-        this.store.setState({ lesson: message.lesson });
+        this.store.setState({ lesson: message.lesson, lessonVersion: message.version });
         return this.#verify();
       case "students": {
         const students = new Map(this.store.getState().students);

@@ -5,7 +5,7 @@
 import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 
 export interface SavedReport {
-  /** of the class: a class has one report */
+  /** `reportId` of the class and its lesson */
   id: string;
   /** milliseconds since 1970 */
   savedAt: number;
@@ -17,6 +17,11 @@ export interface SavedReport {
   code: string;
   /** the table that `/teach#report` reads */
   csv: string;
+}
+
+/** A class has one report for each of its lessons. @param lesson the version of the lesson */
+export function reportId(classId: string, lesson: string): string {
+  return `${classId}-${lesson}`;
 }
 
 /** What the teacher calls the class, and the lesson: "8B, Two mazes". May be empty. */

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { MemoryStorage } from "../../../model/storage/testing/memory-storage.ts";
 import {
   MAX_SAVED_REPORTS,
+  reportId,
   SavedReports,
   type SavedReport,
 } from "../../../model/teaching/saved-reports.ts";
@@ -28,6 +29,16 @@ describe("the reports on the device", () => {
     expect(reports.write(entry("more"))).toBe(false);
     expect(reports.write(entry("0", { label: "9A" }))).toBe(true);
     expect(reports.read("0")?.label).toBe("9A");
+  });
+
+  it("are one for each lesson of a class", () => {
+    const reports = new SavedReports(new MemoryStorage());
+    const save = (lesson: string, savedAt: number) =>
+      reports.write(entry(reportId("class", lesson), { savedAt }));
+    save("first", 1);
+    save("second", 2);
+    save("second", 3);
+    expect(reports.list().map(({ savedAt }) => savedAt)).toEqual([3, 1]);
   });
 
   it("are not saved where the browser refuses", () => {

@@ -4,6 +4,7 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import {
   REPORT_HASH,
+  reportName,
   type SavedReport,
   type SavedReports,
 } from "../../../model/teaching/saved-reports.ts";
@@ -20,6 +21,9 @@ export function SavedReportList({ reports }: { reports: SavedReports }) {
   const date = new Intl.DateTimeFormat(i18n.language, { dateStyle: "medium", timeStyle: "short" });
   const nameOf = ({ label, lesson }: SavedReport): string =>
     label || lesson || t("teach:lesson.unnamed");
+  // A class can have reports of several lessons.
+  const fullNameOf = (report: SavedReport): string =>
+    reportName(report) || t("teach:lesson.unnamed");
   return (
     <section className={entries["section"]} aria-labelledby="saved-reports">
       <h3 id="saved-reports" className={entries["heading"]}>
@@ -28,7 +32,7 @@ export function SavedReportList({ reports }: { reports: SavedReports }) {
       <output className={entries["deleted"]}>
         {deleted !== null && (
           <>
-            {t("teach:saved.deleted", { name: nameOf(deleted) })}
+            {t("teach:saved.deleted", { name: fullNameOf(deleted) })}
             <Button
               size="small"
               onClick={() => {
@@ -56,12 +60,12 @@ export function SavedReportList({ reports }: { reports: SavedReports }) {
               <ButtonLink
                 size="small"
                 href={`${REPORT_HASH}=${report.id}`}
-                aria-label={t("report:saved.openNamed", { name: nameOf(report) })}
+                aria-label={t("report:saved.openNamed", { name: fullNameOf(report) })}
               >
                 {t("teach:saved.open")}
               </ButtonLink>
               <IconButton
-                label={t("report:saved.delete", { name: nameOf(report) })}
+                label={t("report:saved.delete", { name: fullNameOf(report) })}
                 onClick={() => {
                   reports.remove(report.id);
                   setDeleted(report);
