@@ -1,10 +1,11 @@
 /** A student of a class whose robot drives without end. */
+import { lessonMark } from "@corridor/challenge";
 import { StudentConnection } from "@corridor/client/learn";
 import { joinedClassSchema, type JoinedClass } from "@corridor/protocol";
+import { dashboardLesson } from "./dashboard-lesson.ts";
 import type { DrivenRobot } from "./driven-robot.ts";
 
-/** Mark of the lesson. The relay does not compare it. */
-const LESSON = "0123456ab";
+const LESSON = lessonMark(dashboardLesson());
 
 export class RobotStudent {
   readonly #connection: StudentConnection;

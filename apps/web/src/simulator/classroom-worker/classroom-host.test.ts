@@ -1,8 +1,9 @@
+import { lessonMark } from "@corridor/challenge";
 import { closeReasons, type SocketEvents } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import type { FromClassroom } from "../protocol/classroom-messages.ts";
 import { ClassroomHost } from "./classroom-host.ts";
-import { classView, studentView } from "./testing/class-of.ts";
+import { classView, record, studentView } from "./testing/class-of.ts";
 import { lesson } from "../testing/straight-lesson.ts";
 
 const NOW = Date.UTC(2026, 0, 1, 8, 10, 2);
@@ -154,6 +155,25 @@ describe("the host of a dashboard", () => {
     receive({ type: "settings", n: 6, settings });
     await settled();
     expect(reads.filter((path) => path.endsWith("/lesson"))).toHaveLength(2);
+  });
+
+  it("has no work of a lesson that the class had before", async () => {
+    const openedIn = (lesson: string) => [record(1, 1_000, { kind: "opened", lesson, task: 1 })];
+    const students = [
+      { ...studentView(1), progress: openedIn("0123456ab") },
+      { ...studentView(2), progress: openedIn(lessonMark(lesson)) },
+    ];
+    const { settled, posted, pass } = newHost({
+      status: 200,
+      text: JSON.stringify(classView(students)),
+    });
+    await settled();
+    pass();
+    const { changed } = posted("students").at(-1) ?? { changed: [] };
+    expect(changed).toMatchObject([
+      { student: 1, tasks: [] },
+      { student: 2, tasks: [{ task: 1 }] },
+    ]);
   });
 
   it.each([

@@ -4,7 +4,7 @@ import {
   type TeacherMessage,
   type TeacherConnectionOptions,
 } from "@corridor/client/teach";
-import { readLesson } from "@corridor/challenge/document";
+import { lessonMark, readLesson } from "@corridor/challenge";
 import {
   classViewSchema,
   closeReasons,
@@ -182,7 +182,10 @@ export class ClassroomHost {
     const text = await this.#get("/lesson");
     if (text === null || this.#settings?.lesson !== version) return;
     const read = readLesson(text);
-    if (read.ok) this.#ports.post({ type: "lesson", lesson: read.value, version });
+    if (!read.ok) return;
+    this.#ports.post({ type: "lesson", lesson: read.value, version });
+    this.roster.setLesson(lessonMark(read.value));
+    this.#post();
   }
 
   /** Reads a part of the class until there is a response. @returns null if the class has ended */

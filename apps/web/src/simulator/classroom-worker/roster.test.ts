@@ -113,6 +113,34 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject(fresh);
   });
 
+  it("have only their work in the lesson of the class, also before they open it", () => {
+    const roster = rosterOf();
+    const opened = { kind: "opened", lesson: "0123456ab", task: 1 } as const;
+    const hint = { kind: "hint", task: 1, hint: 1 } as const;
+    const survey = { kind: "survey", answers: [{ id: "navigation", answer: 5 }] } as const;
+    const progress = [opened, hint, { ...survey, answers: [...survey.answers] }].map((event, at) =>
+      record(at + 1, 60_000, event),
+    );
+    roster.replace(classView([1, 2].map((each) => ({ ...studentView(each), progress }))));
+    roster.setLesson("0123456ab");
+    roster.watch(1);
+    roster.show([{ student: 1, connected: true, tile }]);
+    const worked = { tasks: [{ task: 1, hints: 1 }], answers: { navigation: 5 } };
+    expect(roster.takeChanges().changed).toMatchObject([worked, worked]);
+
+    roster.setLesson("0123456cd");
+    const nothing = { tasks: [], recent: [], answers: null };
+    expect(roster.takeChanges().changed).toMatchObject([nothing, nothing]);
+    const open = record(4, 120_000, { ...opened, lesson: "0123456cd" });
+    roster.follow({ type: "student", n: 5, student: studentView(2), progress: open });
+    const begun = { student: 2, tasks: [{ openedAt: 120_000, hints: 0 }], answers: null };
+    expect(roster.takeChanges().changed).toMatchObject([begun]);
+
+    // The class has the first lesson again: only one student has it open.
+    roster.setLesson("0123456ab");
+    expect(roster.takeChanges().changed).toMatchObject([worked, worked]);
+  });
+
   it("change on the page only if the words of the card do", () => {
     const roster = rosterOf(1);
     roster.show([{ student: 1, connected: true, tile }]);

@@ -16,6 +16,7 @@ import {
   withRecord,
   withRestart,
   withTask,
+  workIn,
   type Work,
 } from "./student-work.ts";
 
@@ -54,6 +55,8 @@ export class Roster {
   #hasNewBumps = false;
   /** active time at which the class got another lesson */
   #restartedAt = Number.NEGATIVE_INFINITY;
+  /** mark of the lesson of the class; null: not known yet */
+  #lesson: string | null = null;
   #watched: number | null = null;
 
   /** @param activeMs the active time now */
@@ -104,6 +107,13 @@ export class Roster {
     }
   }
 
+  /** The page receives the work in this lesson of the class. @param mark of the lesson */
+  setLesson(mark: string): void {
+    if (mark === this.#lesson) return;
+    this.#lesson = mark;
+    for (const student of this.#entries.keys()) this.#changed.add(student);
+  }
+
   /** The page shows the running line of this student; null: of nobody. */
   watch(student: number | null): void {
     this.#watched = student;
@@ -150,8 +160,9 @@ export class Roster {
       const entry = this.#entries.get(student);
       if (entry === undefined) return [];
       entry.sentBusyAt = entry.work.busyAt;
-      const seen = seenOf(entry);
-      return [student === this.#watched ? { ...seen, recent: entry.work.recent } : seen];
+      const work = workIn(entry.work, this.#lesson);
+      const recent = student === this.#watched ? work.recent : [];
+      return [{ ...seenOf(entry, work), recent }];
     });
     const removed = [...this.#removed];
     this.#changed.clear();
@@ -258,15 +269,17 @@ function hasOpenRun({ tile, work }: Pick<Entry, "tile" | "work">): boolean {
 }
 
 /** The work on the tasks, with the run that is under way: it is an attempt, too. */
-function seenTasks(entry: Entry): SeenStudent["tasks"] {
-  const { tile, work } = entry;
-  if (tile === null || !hasOpenRun(entry)) return work.tasks;
+function seenTasks(entry: Entry, work: Work): SeenStudent["tasks"] {
+  const { tile } = entry;
+  // A run in another lesson belongs to none of these tasks.
+  if (work !== entry.work || tile === null || !hasOpenRun(entry)) return work.tasks;
   const { attempts } = taskOf(work, tile.task);
   return withTask(work, tile.task, { runs: 1, attempts: Math.max(1, attempts) }).tasks;
 }
 
-function seenOf(entry: Entry): SeenStudent {
-  const { view, work, isConnected, tile } = entry;
+/** @param work in the lesson of the class */
+function seenOf(entry: Entry, work: Work): Omit<SeenStudent, "recent"> {
+  const { view, isConnected, tile } = entry;
   const { student, name, helpSince, programs } = view;
   const { busyAt, bestAt, repeats, answers } = work;
   return {
@@ -279,8 +292,7 @@ function seenOf(entry: Entry): SeenStudent {
     busyAt,
     bestAt,
     repeats,
-    tasks: seenTasks(entry),
-    recent: [],
+    tasks: seenTasks(entry, work),
     answers,
   };
 }

@@ -82,6 +82,13 @@ describe("the work of a student", () => {
     expect(taskOf(workAfter(opened, run(0), other, opened, run(0)), 1).attempts).toBe(2);
   });
 
+  it("has the answers to the survey of the open lesson", () => {
+    const other: Progress = { ...opened, lesson: "0123456cd" };
+    const survey: Progress = { kind: "survey", answers: [{ id: "navigation", answer: 5 }] };
+    expect(workAfter(opened, survey, other).answers).toBeNull();
+    expect(workAfter(opened, survey, other, opened).answers).toEqual({ navigation: 5 });
+  });
+
   it("has the answers to the survey", () => {
     const answers = [{ id: "navigation", answer: 5 }];
     expect(workAfter({ kind: "survey", answers }).answers).toEqual({ navigation: 5 });

@@ -13,6 +13,11 @@ const MAX_CLAIMS = 20;
 const MAX_FAILURES = 12;
 const MAX_RECENT = 12;
 
+/** What belongs to a lesson: tasks of two lessons have equal numbers, and questions equal ids. */
+type LessonWork = Pick<SeenStudent, "tasks" | "answers">;
+
+const noLessonWork: LessonWork = { tasks: [], answers: null };
+
 type SeenWork = "busyAt" | "bestAt" | "repeats" | "tasks" | "recent" | "answers";
 
 export type Work = Pick<SeenStudent, SeenWork> & {
@@ -24,8 +29,8 @@ export type Work = Pick<SeenStudent, SeenWork> & {
   lesson: string | null;
   /** active time at which it was opened */
   lessonAt: number;
-  /** the tasks of lessons that were open before, by their marks */
-  earlier: ReadonlyMap<string, readonly TaskWork[]>;
+  /** the work in lessons that were open before, by their marks */
+  earlier: ReadonlyMap<string, LessonWork>;
   /** where the robot bumped, in all lessons */
   bumped: readonly PlacedBumps[];
 };
@@ -98,7 +103,7 @@ export function withRecord(work: Work, { event, activeMs: at, seq }: ProgressRec
   }
 }
 
-/** Tasks of two lessons have equal numbers: each lesson has its own work. */
+/** Opens a lesson, with the work that it has from before. */
 function withLesson(work: Work, lesson: string, lessonAt: number): Work {
   if (work.lesson === lesson) return work;
   // Work before the first opening belongs to the lesson that opens.
@@ -106,8 +111,19 @@ function withLesson(work: Work, lesson: string, lessonAt: number): Work {
     const bumped = work.bumped.map((each) => ({ ...each, lesson }));
     return { ...work, lesson, lessonAt, bumped: bumped.length === 0 ? noBumps : bumped };
   }
-  const earlier = new Map(work.earlier).set(work.lesson, work.tasks);
-  return { ...work, lesson, lessonAt, earlier, recent: [], tasks: earlier.get(lesson) ?? [] };
+  const { tasks, answers } = work;
+  const earlier = new Map(work.earlier).set(work.lesson, { tasks, answers });
+  return { ...workIn({ ...work, earlier }, lesson), lesson, lessonAt };
+}
+
+/**
+ * The work in a lesson, which the student may not have open. Work before the first opening belongs
+ * to any lesson.
+ * @param lesson its mark; null: the open one
+ */
+export function workIn(work: Work, lesson: string | null): Work {
+  if (lesson === null || work.lesson === null || work.lesson === lesson) return work;
+  return { ...work, recent: [], ...(work.earlier.get(lesson) ?? noLessonWork) };
 }
 
 type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;
