@@ -212,11 +212,15 @@ describe("the students of a class", () => {
     // A record that arrives again changes nothing.
     roster.follow({ type: "student", n: 6, student: studentView(1), progress: next });
     expect(roster.takeBumps()).toBeNull();
-    // One student opens the next lesson of the class, whose tasks have the same numbers.
+    // The class has another lesson, whose tasks have the same numbers, and one student opens it.
+    roster.setLesson("0123456cd");
+    expect(roster.takeBumps()).toEqual([]);
     const lesson = record(3, 4_000, { ...opened, lesson: "0123456cd" });
     roster.follow({ type: "student", n: 7, student: studentView(2), progress: lesson });
     expect(roster.takeBumps()).toEqual([]);
     roster.follow({ type: "removed", n: 8, student: 2 });
+    expect(roster.takeBumps()).toEqual([]);
+    roster.setLesson("0123456ab");
     expect(roster.takeBumps()).toEqual([
       { task: 1, ...place, count: 2 },
       { task: 1, ...other, count: 1 },

@@ -111,6 +111,7 @@ export class Roster {
   setLesson(mark: string): void {
     if (mark === this.#lesson) return;
     this.#lesson = mark;
+    this.#hasNewBumps = true;
     for (const student of this.#entries.keys()) this.#changed.add(student);
   }
 
@@ -170,16 +171,15 @@ export class Roster {
     return { changed, removed };
   }
 
-  /** All bumps in the lesson that was opened last; null: the same as at the last call */
+  /** All bumps in the lesson of the class; null: the same as at the last call */
   takeBumps(): CountedBump[] | null {
     if (!this.#hasNewBumps) return null;
     this.#hasNewBumps = false;
     const all = new Map<string, CountedBump>();
-    const works = [...this.#entries.values()].map(({ work }) => work);
-    const newest = works.toSorted((a, b) => b.lessonAt - a.lessonAt)[0]?.lesson;
     for (const { work, live } of this.#entries.values()) {
       for (const { lesson, ...bump } of [...work.bumped, ...live.places]) {
-        if (lesson !== newest) continue;
+        const isOther = this.#lesson !== null && lesson !== null && lesson !== this.#lesson;
+        if (isOther) continue;
         const key = `${bump.task} ${bump.maze} ${bump.column} ${bump.row}`;
         all.set(key, { ...bump, count: bump.count + (all.get(key)?.count ?? 0) });
       }

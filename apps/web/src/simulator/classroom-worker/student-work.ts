@@ -27,8 +27,6 @@ export type Work = Pick<SeenStudent, SeenWork> & {
   best: number;
   /** mark of the open lesson; null: none opened yet */
   lesson: string | null;
-  /** active time at which it was opened */
-  lessonAt: number;
   /** the work in lessons that were open before, by their marks */
   earlier: ReadonlyMap<string, LessonWork>;
   /** where the robot bumped, in all lessons */
@@ -56,7 +54,6 @@ export function noWork(joinedAt: number): Work {
     failure: null,
     best: 0,
     lesson: null,
-    lessonAt: 0,
     earlier: new Map(),
     bumped: noBumps,
   };
@@ -71,7 +68,7 @@ export function withRestart(work: Work, at: number): Work {
 export function withRecord(work: Work, { event, activeMs: at, seq }: ProgressRecord): Work {
   switch (event.kind) {
     case "opened": {
-      const inLesson = withLesson(work, event.lesson, at);
+      const inLesson = withLesson(work, event.lesson);
       const { openedAt } = taskOf(inLesson, event.task);
       return withRestart(withTask(inLesson, event.task, { openedAt: openedAt ?? at }), at);
     }
@@ -104,16 +101,16 @@ export function withRecord(work: Work, { event, activeMs: at, seq }: ProgressRec
 }
 
 /** Opens a lesson, with the work that it has from before. */
-function withLesson(work: Work, lesson: string, lessonAt: number): Work {
+function withLesson(work: Work, lesson: string): Work {
   if (work.lesson === lesson) return work;
   // Work before the first opening belongs to the lesson that opens.
   if (work.lesson === null) {
     const bumped = work.bumped.map((each) => ({ ...each, lesson }));
-    return { ...work, lesson, lessonAt, bumped: bumped.length === 0 ? noBumps : bumped };
+    return { ...work, lesson, bumped: bumped.length === 0 ? noBumps : bumped };
   }
   const { tasks, answers } = work;
   const earlier = new Map(work.earlier).set(work.lesson, { tasks, answers });
-  return { ...workIn({ ...work, earlier }, lesson), lesson, lessonAt };
+  return { ...workIn({ ...work, earlier }, lesson), lesson };
 }
 
 /**
