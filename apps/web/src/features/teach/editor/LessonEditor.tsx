@@ -13,7 +13,7 @@ import { solutionOf } from "../../../model/teaching/solution.ts";
 import { StartClassDialog } from "../start/lazy-start-class-dialog.ts";
 import { ShareLessonDialog } from "../share/lazy-share-lesson-dialog.ts";
 import { TeachFrame } from "../frame/TeachFrame.tsx";
-import type { TeachSlots, WorkbenchParts } from "../frame/teach-slots.ts";
+import type { TeachSlots, TrialProps, WorkbenchParts } from "../frame/teach-slots.ts";
 import { EditorBar, EditorBarEnd } from "./EditorBar.tsx";
 import { EditorPanels } from "./EditorPanels.tsx";
 import type { LessonDraft } from "./lesson-draft.ts";
@@ -34,6 +34,7 @@ interface Trial {
   isSolving: boolean;
   /** index of the open task */
   task: number;
+  onSolved: TrialProps["onSolved"];
 }
 
 interface LessonEditorProps {
@@ -70,6 +71,7 @@ export function LessonEditor(props: LessonEditorProps) {
       program: null,
       isSolving: false,
       task: draft.store.getState().task,
+      onSolved: draft.startTrial("try"),
     });
   const solve = (): void => {
     const { task } = draft;
@@ -78,7 +80,8 @@ export function LessonEditor(props: LessonEditorProps) {
     // Only this task: in a lesson in turn, it may not be open yet.
     const alone = { ...draft.lesson, order: "any" as const, tasks: [task] };
     setSharing(false);
-    setTrial({ lesson: alone, program, isSolving: true, task: index });
+    const onSolved = draft.startTrial("solve");
+    setTrial({ lesson: alone, program, isSolving: true, task: index, onSolved });
   };
   if (trial !== null) {
     return (
@@ -87,7 +90,7 @@ export function LessonEditor(props: LessonEditorProps) {
         key={trial.task}
         lesson={trial.lesson}
         program={trial.program}
-        onSolved={(task, solution) => draft.solve(task, solution)}
+        onSolved={trial.onSolved}
         band={
           <TrialBand
             title={title}

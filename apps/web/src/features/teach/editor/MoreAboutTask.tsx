@@ -31,7 +31,7 @@ export function MoreAboutTask() {
   );
 }
 
-/** The numbers of a good solution, which the teacher's own solution sets. */
+/** The numbers of a good solution, which the teacher's first own program sets. */
 function ParFields() {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   const draft = useDraft();

@@ -1,3 +1,4 @@
+import { lessonMark } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { programOf } from "../testing/sample-lesson.ts";
 import { solutionOf } from "../../../model/teaching/solution.ts";
@@ -111,15 +112,45 @@ describe("a solved task", () => {
 
   it("gets the reference values of the solution, and stays solved", () => {
     const { draft, state } = open();
+    const solved = draft.startTrial("solve");
+    solved(draft.task, { lines: 3, ticks: 400, program });
     // 5.09 s, which the clock displays as 5.0.
-    draft.solve(draft.task, { lines: 2, ticks: 305, program });
+    solved(draft.task, { lines: 2, ticks: 305, program });
     expect(draft.task.par).toEqual({ lines: 2, seconds: 5 });
     expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 2 });
   });
 
+  it.each(["solve", "try"] as const)(
+    "stays the same lesson when a teacher shows it again (%s), so that its codes stay valid",
+    (purpose) => {
+      const { draft, state } = open();
+      draft.startTrial("solve")(draft.task, { lines: 2, ticks: 305, program });
+      const shared = lessonMark(draft.lesson);
+      draft.startTrial(purpose)(draft.task, { lines: 5, ticks: 900, program });
+      expect(lessonMark(draft.lesson)).toBe(shared);
+      expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 5 });
+    },
+  );
+
+  it("stays the same lesson when a trial solves it first", () => {
+    const { draft, state } = open();
+    const shared = lessonMark(draft.lesson);
+    draft.startTrial("try")(draft.task, { lines: 2, ticks: 305, program });
+    expect(lessonMark(draft.lesson)).toBe(shared);
+    expect(solutionOf(state().solutions, draft.task)).not.toBeNull();
+  });
+
+  it("gets new reference values after an edit", () => {
+    const { draft } = open();
+    draft.startTrial("solve")(draft.task, { lines: 2, ticks: 305, program });
+    draft.setMaze({ ...corridor, goals: [{ column: 4, row: 1 }] });
+    draft.startTrial("solve")(draft.task, { lines: 1, ticks: 245, program });
+    expect(draft.task.par).toEqual({ lines: 1, seconds: 4 });
+  });
+
   it("is not solved after an edit of its maze, until undo", () => {
     const { draft, state } = open();
-    draft.solve(draft.task, { lines: 0, ticks: 302, program: null });
+    draft.startTrial("solve")(draft.task, { lines: 0, ticks: 302, program: null });
     expect(draft.task.par).toBeNull();
     draft.setMaze({ ...corridor, goals: [{ column: 4, row: 1 }] });
     expect(solutionOf(state().solutions, draft.task)).toBeNull();

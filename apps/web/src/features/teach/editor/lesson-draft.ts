@@ -12,6 +12,7 @@ import type { MazeDocument } from "@corridor/maze";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import {
   contentMark,
+  solutionOf,
   withSolution,
   type Solution,
   type Solutions,
@@ -152,13 +153,24 @@ export class LessonDraft {
   }
 
   /**
-   * Records that the teacher solved a task. A program sets the reference values of every task with
-   * this content.
+   * Starts a trial of the lesson as a student. Only a trial that solves the open task for the first
+   * time changes the lesson: its program sets the reference values of every task with this content.
+   * Any other would change the mark of a lesson that may be shared, without an edit, and with it
+   * the completion codes of its students.
+   * @returns records that the teacher solved a task
    */
-  solve(task: LessonTask, solution: Solution): void {
+  startTrial(purpose: "try" | "solve"): (task: LessonTask, solution: Solution) => void {
+    const isSolved = solutionOf(this.store.getState().solutions, this.task) !== null;
+    const setsPar = purpose === "solve" && !isSolved;
+    return (task, solution) => {
+      const { solutions } = this.store.getState();
+      this.store.setState({ solutions: withSolution(solutions, task, solution) });
+      if (setsPar && solution.program !== null) this.#setPar(task, solution);
+    };
+  }
+
+  #setPar(task: LessonTask, solution: Solution): void {
     const state = this.store.getState();
-    this.store.setState({ solutions: withSolution(state.solutions, task, solution) });
-    if (solution.program === null) return;
     const mark = contentMark(task);
     const par = { lines: solution.lines, seconds: displayedSeconds(solution.ticks) };
     const tasks = state.lesson.tasks.map((each) =>
