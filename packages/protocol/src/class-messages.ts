@@ -134,7 +134,15 @@ export const teacherToRelaySchema = z.discriminatedUnion(
       hint: hintNumberSchema,
     }),
     /** replaces what the big screens show; the relay forwards it and does not store it */
-    z.strictObject({ type: z.literal("display"), content }),
+    z.strictObject({
+      type: z.literal("display"),
+      content,
+      /**
+       * does not replace content with a higher priority, until the dashboard that sent it closes;
+       * without it: replaces any content, and any content replaces it
+       */
+      priority: z.int({ error: "a whole number" }).optional(),
+    }),
     seen,
   ],
   { error: "one of watch, hint, display, seen" },

@@ -29,6 +29,14 @@ export const classMessageSchema = z.discriminatedUnion("kind", [
     hint: z.int(),
   }),
   /** what big screens show; not new: for a relay that has none yet */
-  z.object({ kind: z.literal("display"), content: z.looseObject({}), isNew: z.boolean() }),
+  z.object({
+    kind: z.literal("display"),
+    content: z.looseObject({}),
+    isNew: z.boolean(),
+    /** null: any content replaces it */
+    priority: z.int().nullable(),
+  }),
+  /** the dashboard whose content has this priority has closed */
+  z.object({ kind: z.literal("released"), priority: z.int() }),
 ]);
 export type ClassMessage = z.infer<typeof classMessageSchema>;

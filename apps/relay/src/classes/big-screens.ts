@@ -1,5 +1,6 @@
 /** The big screens of a class at this relay, and the newest content for them. */
 import { PROTOCOL_VERSION, type RelayToScreen, type TeacherToRelay } from "@corridor/protocol";
+import type { ClassMessage } from "../bus/class-message.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ClassRow } from "../store/class-store.ts";
@@ -22,6 +23,7 @@ export class BigScreens {
   readonly #clock: Clock;
   readonly #screens = new Set<Screen>();
   #content: DisplayContent | null = null;
+  #priority: number | null = null;
 
   constructor(clock: Clock) {
     this.#clock = clock;
@@ -34,6 +36,11 @@ export class BigScreens {
   /** null: none yet */
   get content(): DisplayContent | null {
     return this.#content;
+  }
+
+  /** of the content; null: any content replaces it */
+  get priority(): number | null {
+    return this.#priority;
   }
 
   /** Connects a big screen. @param row of the class */
@@ -62,10 +69,28 @@ export class BigScreens {
     };
   }
 
-  /** Replaces what the big screens show. */
-  show(content: DisplayContent): void {
+  /**
+   * Replaces what the big screens show.
+   * @param priority null: replaces any content
+   * @returns false if what they show has a higher priority
+   */
+  show(content: DisplayContent, priority: number | null): boolean {
+    if (priority !== null && this.#priority !== null && priority < this.#priority) return false;
     this.#content = content;
+    this.#priority = priority;
     for (const { displays } of this.#screens) displays.offer(content);
+    return true;
+  }
+
+  /** Handles what the big screens of another relay show. Repeated content is no newer than this. */
+  received({ content, isNew, priority }: Extract<ClassMessage, { kind: "display" }>): void {
+    const isHigher = priority !== null && this.#priority !== null && priority > this.#priority;
+    if (isNew || isHigher || this.#content === null) this.show(content, priority);
+  }
+
+  /** The dashboard whose content has this priority has closed: any content replaces it. */
+  release(priority: number): void {
+    if (this.#priority === priority) this.#priority = null;
   }
 
   /** Sends what has changed in the class. */

@@ -43,6 +43,8 @@ interface Dashboard {
   connection: MemberConnection<RelayToTeacher>;
   tiles: CreditedFeed<ReadonlySet<number>>;
   watched: number | null;
+  /** of its newest content for the big screens; null: none */
+  priority: number | null;
 }
 
 export interface StudentMember {
@@ -55,6 +57,12 @@ export interface StudentMember {
 export interface TeacherMember {
   /** Receives the tiles of a student more often. @throws Refusal no-student */
   watch(student: number | null): void;
+  /**
+   * Replaces what the big screens show.
+   * @param priority it does not replace content of another dashboard with a higher one; null: it
+   * replaces any content, and any content replaces it
+   */
+  display(content: DisplayContent, priority: number | null): void;
   seen(seq: number): void;
   leave(): void;
 }
@@ -166,6 +174,7 @@ export class ClassConnections {
     const dashboard: Dashboard = {
       connection,
       watched: null,
+      priority: null,
       tiles: new CreditedFeed({
         clock: this.#clock,
         intervalMs: () =>
@@ -184,10 +193,15 @@ export class ClassConnections {
     this.#others.announce(true);
     return {
       watch: (student) => this.#watch(dashboard, student),
+      display: (content, priority) => {
+        dashboard.priority = priority;
+        this.#display(content, priority);
+      },
       seen: (seq) => dashboard.tiles.seen(seq),
       leave: () => {
         this.#watch(dashboard, null);
         this.#dashboards.delete(dashboard);
+        this.#releaseScreens(dashboard);
         dashboard.tiles.close();
         this.#others.announce();
       },
@@ -200,12 +214,6 @@ export class ClassConnections {
     const found = this.#students.get(student);
     if (found === undefined) this.#notify({ kind: "hint", student, task, hint });
     else found.connection.send({ type: "hint", task, hint });
-  }
-
-  /** Replaces what the big screens show. */
-  display(content: DisplayContent): void {
-    this.#screens.show(content);
-    if (!this.#others.isEmpty) this.#notify({ kind: "display", content, isNew: true });
   }
 
   // --- big screens ---
@@ -277,7 +285,9 @@ export class ClassConnections {
         return this.#students.get(student)?.connection.send({ type: "hint", task, hint });
       }
       case "display":
-        if (message.isNew || this.#screens.content === null) this.#screens.show(message.content);
+        return this.#screens.received(message);
+      case "released":
+        if (!this.#hasDashboardOf(message.priority)) this.#screens.release(message.priority);
     }
   }
 
@@ -306,8 +316,8 @@ export class ClassConnections {
       const tile = this.#tiles.get(student);
       if (tile !== undefined) this.#others.tile(student, tile);
     }
-    const { content } = this.#screens;
-    if (content !== null) this.#notify({ kind: "display", content, isNew: false });
+    const { content, priority } = this.#screens;
+    if (content !== null) this.#notify({ kind: "display", content, isNew: false, priority });
   }
 
   #othersChanged(students: ReadonlySet<number>): void {
@@ -357,6 +367,24 @@ export class ClassConnections {
     dashboard.tiles.intervalChanged();
     this.#updateWatched();
     this.#others.announce();
+  }
+
+  #display(content: DisplayContent, priority: number | null): void {
+    const isShown = this.#screens.show(content, priority);
+    if (!isShown || this.#others.isEmpty) return;
+    this.#notify({ kind: "display", content, isNew: true, priority });
+  }
+
+  /** A dashboard has closed: any other one may replace what it shows on the big screens. */
+  #releaseScreens({ priority }: Dashboard): void {
+    if (priority === null || this.#hasDashboardOf(priority)) return;
+    this.#screens.release(priority);
+    if (!this.#others.isEmpty) this.#notify({ kind: "released", priority });
+  }
+
+  /** Whether a device that has reconnected here sends content with this priority. */
+  #hasDashboardOf(priority: number): boolean {
+    return [...this.#dashboards].some((dashboard) => dashboard.priority === priority);
   }
 
   /** Notifies students whom a dashboard at any relay starts or stops to watch. */

@@ -149,17 +149,43 @@ export function twoRelaysCases(
     });
 
     it("shows the newest content on all big screens, also on later ones", async () => {
-      const { a, b, at, teacher, screen } = await classAtTwoRelays(await open());
-      const { connections } = await teacher(a);
-      connections.display({ solved: 1 });
+      const { a, b, teacher, screen } = await classAtTwoRelays(await open());
+      const dashboard = await teacher(a);
+      dashboard.display({ solved: 1 }, null);
       const display = await screen(b);
       const { sent } = display;
       await eventually(() => expect(sent.at(-1)).toMatchObject({ content: { solved: 1 } }));
-      connections.display({ solved: 2 });
+      dashboard.display({ solved: 2 }, null);
       await eventually(() => expect(sent.at(-1)).toMatchObject({ content: { solved: 2 } }));
       display.seen(2);
-      (await at(b)).connections.display({ solved: 3 });
+      (await teacher(b)).display({ solved: 3 }, null);
       await eventually(() => expect(sent.at(-1)).toMatchObject({ content: { solved: 3 } }));
+    });
+
+    it("shows the content of the dashboard with the highest priority, until it closes", async () => {
+      const { a, b, teacher, screen } = await classAtTwoRelays(await open());
+      const shownAt = async (relay: ClassRegistry) => {
+        const { sent, leave } = await screen(relay);
+        leave();
+        return sent.flatMap((message) => (message.type === "display" ? [message.content] : []));
+      };
+      const laptop = await teacher(a);
+      const phone = await teacher(b);
+      laptop.display({ solved: 1 }, 5);
+      await eventually(async () => expect(await shownAt(b)).toEqual([{ solved: 1 }]));
+      phone.display({ solved: 2 }, -9);
+      expect(await shownAt(b)).toEqual([{ solved: 1 }]);
+      laptop.display({ solved: 3 }, 5);
+      await eventually(async () => expect(await shownAt(b)).toEqual([{ solved: 3 }]));
+      phone.display({ solved: 4 }, 6);
+      await eventually(async () => expect(await shownAt(a)).toEqual([{ solved: 4 }]));
+      laptop.display({ solved: 5 }, 5);
+      expect(await shownAt(a)).toEqual([{ solved: 4 }]);
+      phone.leave();
+      await eventually(async () => {
+        laptop.display({ solved: 6 }, 5);
+        for (const relay of [a, b]) expect(await shownAt(relay)).toEqual([{ solved: 6 }]);
+      });
     });
 
     it("closes the first tab of a student when a second one connects to the other relay", async () => {

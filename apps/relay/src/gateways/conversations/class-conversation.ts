@@ -194,7 +194,7 @@ function teacherHandler({ hello, grant, connection, clock }: ClassConversationOp
       else rates.count(message.type);
       if (message.type === "watch") member.watch(message.student);
       if (message.type === "hint") connections.hint(message.student, message.task, message.hint);
-      if (message.type === "display") connections.display(message.content);
+      if (message.type === "display") member.display(message.content, message.priority ?? null);
       return undefined;
     },
     leave: () => member.leave(),

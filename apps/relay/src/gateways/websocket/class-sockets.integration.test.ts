@@ -310,6 +310,35 @@ describe("a big screen's socket", () => {
     expect(await late.socket.next("display")).toMatchObject({ content: { solved: 13 } });
   });
 
+  it("shows the dashboard with the highest priority, or the newest one without a priority", async () => {
+    const { clock, room } = await classWith(1);
+    const [laptop, phone] = [await room.teacher(), await room.teacher()];
+    const { socket } = await room.screen();
+    const show = (from: typeof laptop, solved: number, priority?: number): void =>
+      from.socket.send({ type: "display", content: { solved }, priority });
+    // The relay handles the messages of one dashboard in their order.
+    const isHandled = async (from: typeof laptop): Promise<void> => {
+      from.socket.send({ type: "hint", student: 99, task: 1, hint: 1 });
+      await from.socket.next("problem");
+    };
+    const next = async () => {
+      await clock.pass(limits.displayIntervalMs);
+      const { seq, content } = await socket.next("display");
+      socket.send({ type: "seen", seq });
+      return content;
+    };
+    show(laptop, 1, 5);
+    expect(await next()).toEqual({ solved: 1 });
+    show(phone, 2, -9);
+    await isHandled(phone);
+    show(laptop, 3, 5);
+    expect(await next()).toEqual({ solved: 3 });
+    show(phone, 4);
+    expect(await next()).toEqual({ solved: 4 });
+    show(laptop, 5, 5);
+    expect(await next()).toEqual({ solved: 5 });
+  });
+
   it("connects with dashboards up to a limit of 4", async () => {
     const { room } = await classWith(1);
     for (let n = 0; n < 2; n++) await Promise.all([room.teacher(), room.screen()]);

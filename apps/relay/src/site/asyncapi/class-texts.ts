@@ -90,7 +90,7 @@ ${closeCodes({
       watch: "Receives the tiles of one student more often. The student receives `watched`.",
       hint: "Shows a hint of a task to one student.",
       display:
-        "The content of the big screens, of any form. It replaces the earlier content. The relay forwards it and does not store it. At most 2 a second.",
+        "The content of the big screens, of any form. It replaces the earlier content. The relay forwards it and does not store it. At most 2 a second. With a `priority`, it does not replace content of another dashboard with a higher one, until that dashboard closes.",
       seen: "Acknowledges all `tiles` up to this number. The relay sends at most 2 unacknowledged ones.",
     },
     bigScreen: {

@@ -1,5 +1,5 @@
 /** Sends the numbers of the class to its big screens, whenever they change. */
-import { useEffect } from "react";
+import { useEffect, useState } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
 import {
   isClassPaused,
@@ -9,6 +9,7 @@ import {
 } from "../../model/classroom/dashboard.ts";
 import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
+import { ScreenPriority } from "../../model/classroom/screen-priority.ts";
 import { openTask } from "../../model/classroom/standing.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
@@ -21,12 +22,16 @@ export function useScreens(
   student: number | null,
   choice: RaceChoice | null,
 ): void {
+  const [priorities] = useState(() => new ScreenPriority());
   useEffect(() => {
     const send = (): void => {
       const state = dashboard.store.getState();
       const numbers = numbersOf(state, choice);
       const program = student === null ? null : programOf(state, student);
-      if (numbers !== null) dashboard.send({ type: "screens", numbers, student, program });
+      if (numbers === null) return;
+      const now = Date.now() - (state.classroom?.time.ahead ?? 0);
+      const priority = priorities.of({ student, race: choice, task: state.chosenTask }, now);
+      dashboard.send({ type: "screens", numbers, student, program, priority });
     };
     send();
     return dashboard.store.subscribe((state, before) => {
@@ -40,7 +45,7 @@ export function useScreens(
         state.chosenTask === before.chosenTask;
       if (!isSame) send();
     });
-  }, [dashboard, student, choice]);
+  }, [dashboard, student, choice, priorities]);
 }
 
 /** The program of the open task as a link text; null: not known, or a drive */

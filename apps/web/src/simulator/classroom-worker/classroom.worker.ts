@@ -20,7 +20,7 @@ const painter = new CardPainter({
 const screens = new ScreenFeed({
   tileOf: (student) => host?.roster.tileOf(student) ?? null,
   isSolved: (student, task) => painter.isVerified(student, task),
-  send: (content) => host?.send({ type: "display", content }),
+  send: (content, priority) => host?.send({ type: "display", content, priority }),
   after: (ms, call) => void setTimeout(call, ms),
 });
 
@@ -60,7 +60,7 @@ worker.onmessage = ({ data }: MessageEvent<ToClassroom>) => {
     case "hint":
       return host?.send(data);
     case "screens":
-      return screens.show(data.numbers, data.student, data.program);
+      return screens.show(data);
     case "colours":
       return painter.setPalette(data.palette);
     case "calm":

@@ -16,8 +16,13 @@ const numbers = {
   missing: 0,
 };
 
+function update(student: number | null, program: string | null, priority = 1) {
+  return { numbers, student, program, priority };
+}
+
 function newFeed() {
   const sent: ScreenContent[] = [];
+  const priorities: number[] = [];
   const timers: (() => void)[] = [];
   let tile: Tile = {
     seq: 1,
@@ -34,12 +39,16 @@ function newFeed() {
   const feed = new ScreenFeed({
     tileOf: () => tile,
     isSolved: () => false,
-    send: (content) => sent.push(content),
+    send: (content, priority) => {
+      sent.push(content);
+      priorities.push(priority);
+    },
     after: (_ms, call) => timers.push(call),
   });
   return {
     feed,
     sent,
+    priorities,
     drive: (path: string): void => {
       tile = { ...tile, path };
       feed.changed([7]);
@@ -52,8 +61,8 @@ function newFeed() {
 
 it("big screens receive numbers at once, and the newest run a second later", () => {
   const { feed, sent, drive, pass } = newFeed();
-  feed.show(numbers, null, null);
-  feed.show(numbers, 7, "1Qk3");
+  feed.show(update(null, null));
+  feed.show(update(7, "1Qk3"));
   drive("e2");
   drive("e3");
   expect(sent).toEqual([{ ...numbers, run: null }]);
@@ -65,15 +74,23 @@ it("big screens receive numbers at once, and the newest run a second later", () 
 
 it("a new connection sends the content again", () => {
   const { feed, sent, pass } = newFeed();
-  feed.show(numbers, 7, "1Qk3");
+  feed.show(update(7, "1Qk3"));
   pass();
   feed.repeat();
   expect(sent).toHaveLength(2);
 });
 
+it("a choice sends the content again, because another device may control the screens", () => {
+  const { feed, priorities, pass } = newFeed();
+  feed.show(update(7, "1Qk3", 5));
+  pass();
+  feed.show(update(7, "1Qk3", 8));
+  expect(priorities).toEqual([5, 8]);
+});
+
 it("the content names no student, and the big screen accepts it", () => {
   const { feed, sent } = newFeed();
-  feed.show(numbers, 7, "1Qk3");
+  feed.show(update(7, "1Qk3"));
   expect(screenContentSchema.safeParse(sent[0]).success).toBe(true);
   expect(JSON.stringify(sent)).not.toContain("student");
 });

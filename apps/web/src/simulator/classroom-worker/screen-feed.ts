@@ -1,5 +1,6 @@
 /** Sends the content of the big screens when it has changed, at most once in a second. */
 import type { ScreenContent, ScreenNumbers, Tile } from "@corridor/protocol";
+import type { ScreenUpdate } from "../protocol/classroom-messages.ts";
 
 /** The relay accepts two a second. */
 const INTERVAL_MS = 1_000;
@@ -7,7 +8,8 @@ const INTERVAL_MS = 1_000;
 export interface ScreenFeedPorts {
   tileOf(student: number): Tile | null;
   isSolved(student: number, task: number): boolean;
-  send(content: ScreenContent): void;
+  /** @param priority see `ScreenPriority` */
+  send(content: ScreenContent, priority: number): void;
   /** Calls once after `ms`. */
   after(ms: number, call: () => void): void;
 }
@@ -17,6 +19,7 @@ export class ScreenFeed {
   #numbers: ScreenNumbers | null = null;
   #student: number | null = null;
   #program: string | null = null;
+  #priority = 0;
   #sent = "";
   #isWaiting = false;
 
@@ -28,10 +31,11 @@ export class ScreenFeed {
    * @param student whose run is on the big screens; null: none
    * @param program of the student, as a link text; null: not known
    */
-  show(numbers: ScreenNumbers, student: number | null, program: string | null): void {
+  show({ numbers, student, program, priority }: ScreenUpdate): void {
     this.#numbers = numbers;
     this.#student = student;
     this.#program = program;
+    this.#priority = priority;
     this.#send();
   }
 
@@ -49,10 +53,11 @@ export class ScreenFeed {
   #send(): void {
     if (this.#isWaiting || this.#numbers === null) return;
     const content = { ...this.#numbers, run: this.#run() };
-    const text = JSON.stringify(content);
+    // A choice makes this device control the screens, also if they show the same as before.
+    const text = JSON.stringify([content, this.#priority]);
     if (text === this.#sent) return;
     this.#sent = text;
-    this.#ports.send(content);
+    this.#ports.send(content, this.#priority);
     this.#isWaiting = true;
     this.#ports.after(INTERVAL_MS, () => {
       this.#isWaiting = false;

@@ -122,6 +122,17 @@ export interface PictureBox {
   isOld: boolean;
 }
 
+/** What the big screens show. */
+export interface ScreenUpdate {
+  numbers: ScreenNumbers;
+  /** whose run they show; null: none */
+  student: number | null;
+  /** of that student, as a link text; null: not known */
+  program: string | null;
+  /** see `ScreenPriority` */
+  priority: number;
+}
+
 export type ToClassroom =
   | { type: "open"; room: Classroom }
   /** reconnects at once */
@@ -129,11 +140,8 @@ export type ToClassroom =
   /** receives the tiles of a student more often; null: of nobody */
   | { type: "watch"; student: number | null }
   | { type: "hint"; student: number; task: number; hint: number }
-  /**
-   * replaces what the big screens show @param student whose run they show; null: none
-   * @param program of that student, as a link text; null: not known
-   */
-  | { type: "screens"; numbers: ScreenNumbers; student: number | null; program: string | null }
+  /** replaces what the big screens show */
+  | ({ type: "screens" } & ScreenUpdate)
   | { type: "colours"; palette: Palette }
   /** whether robots jump from tile to tile instead of moving */
   | { type: "calm"; isCalm: boolean }
