@@ -165,9 +165,9 @@ export function twoRelaysCases(
     it("shows the content of the dashboard with the highest priority, until it closes", async () => {
       const { a, b, teacher, screen } = await classAtTwoRelays(await open());
       const shownAt = async (relay: ClassRegistry) => {
-        const { sent, leave } = await screen(relay);
-        leave();
-        return sent.flatMap((message) => (message.type === "display" ? [message.content] : []));
+        const display = await screen(relay);
+        display.leave();
+        return display.sent.flatMap((message) => (message.type === "display" ? [message.content] : []));
       };
       const laptop = await teacher(a);
       const phone = await teacher(b);

@@ -5,6 +5,7 @@
 import { createStore } from "zustand/vanilla";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import type { RunStore } from "../run/run-store.ts";
+import type { noteGoal } from "./note-goal.ts";
 import { readSolved, type SolvedStore } from "./solved-storage.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 
@@ -22,7 +23,7 @@ export interface SolvedPorts {
  */
 export function createSolvedStore({ run, workspace, device }: SolvedPorts): SolvedStore {
   const solved: SolvedStore = createStore(() => ({ ids: readSolved(device) }));
-  let loading: Promise<typeof import("./note-goal.ts") | null> | null = null;
+  let loading: Promise<{ noteGoal: typeof noteGoal } | null> | null = null;
   run.subscribe(({ event, nowTick }, before) => {
     const isGoal = event !== before.event && event?.kind === "goal" && event.driver !== "remote";
     // Before the goal, where the user may close the page, but after the first screen.
