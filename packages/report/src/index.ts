@@ -7,4 +7,4 @@ export {
   type TaskReport,
 } from "./report.ts";
 export { joinStudies, readStudyCsv, studyCsv } from "./study-csv.ts";
-export type { Answers, Study, Work } from "./study.ts";
+export { MAX_LABEL, type Answers, type Study, type Work } from "./study.ts";

@@ -1,7 +1,7 @@
 /** The figures of a study, as the thesis of 2013 reports them. Null: not known, or too few values. */
 import { paperTaskOf } from "./paper.ts";
 import { deviationOf, meanOf, medianOf } from "./statistics.ts";
-import type { Study, Work } from "./study.ts";
+import { answerTo, type Study, type Work } from "./study.ts";
 
 /** One bar of a figure. */
 export interface TimeBar {
@@ -133,7 +133,7 @@ function questionReport(
   students: number,
   mistaken: number | undefined,
 ): QuestionReport {
-  const answers = known(survey.map((each) => each.answers[id] ?? null));
+  const answers = known(survey.map((each) => answerTo(each, id)));
   const count = (rating: number): number => answers.filter((answer) => answer === rating).length;
   return {
     id,

@@ -1,6 +1,7 @@
 import { describeProblem } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { reportOf } from "./report.ts";
 import { joinStudies, MAX_CSV_LENGTH, MAX_ROWS, readStudyCsv, studyCsv } from "./study-csv.ts";
 import { answerSchema, type Study } from "./study.ts";
 
@@ -32,6 +33,14 @@ const answers = fc.record({
     other: fc.constantFrom(null, ...answerSchema.unwrap().values),
   }),
 });
+/** Ids of questions, also those that are names of columns, or that these are written as. */
+const questionId = fc.oneof(
+  fc.stringMatching(/^[a-z][a-z0-9_]{0,31}$/),
+  fc.stringMatching(
+    /^(answer_){0,2}(student|task|seconds|lines|attempts|runs|bumps|failed_checks|hints|mistakes)$/,
+  ),
+  fc.constantFrom("constructor", "right_wall_seconds"),
+);
 
 describe("a study", () => {
   it("is read as it was written", () => {
@@ -45,6 +54,48 @@ describe("a study", () => {
         expect(read).toEqual({ ok: true, value: study });
       }),
     );
+  });
+
+  it("is read as it was written, whatever ids its questions have", () => {
+    const surveys = fc.uniqueArray(questionId, { maxLength: 8 }).chain((ids) =>
+      fc.array(
+        fc.record({
+          student: label,
+          answers: fc.record(
+            Object.fromEntries(
+              ids.map((id) => [id, fc.constantFrom(null, 1 as const, 5 as const)]),
+            ),
+          ),
+        }),
+        { minLength: 1, maxLength: 3 },
+      ),
+    );
+    fc.assert(
+      fc.property(surveys, (survey) => {
+        const read = readStudyCsv(studyCsv({ work: [], survey }).join("\r\n"));
+        expect(read).toEqual({ ok: true, value: { work: [], survey } });
+      }),
+    );
+  });
+
+  it("has the answers to a question in a column of their own, also beside a count", () => {
+    const given = { hints: 5, answer_hints: 4, navigation: 3 } as const;
+    const lines = studyCsv({ work: [], survey: [{ student: "Juniper", answers: given }] });
+    expect(lines[0]).toMatch(/,hints,mistakes,answer_hints,answer_answer_hints,navigation$/);
+    expect(problemsOf([lines[0], "Juniper,,,,,,,,,,6,,"].join("\n"))).toEqual([
+      expect.stringMatching(/^row 2, answer_hints: found 6/),
+    ]);
+  });
+
+  it("has no answer to a question of another table, whatever its id", () => {
+    const survey = [
+      { student: "Juniper", answers: { constructor: 5 } },
+      { student: "Cedar", answers: { navigation: 3 } },
+    ] as const;
+    const read = readStudyCsv(studyCsv({ work: [], survey }).join("\n"));
+    expect(read.ok && read.value.survey[1]?.answers).toEqual({ constructor: null, navigation: 3 });
+    const [question] = reportOf({ work: [], survey }).questions;
+    expect(question).toMatchObject({ id: "constructor", counts: [0, 0, 0, 0, 1], skipped: 1 });
   });
 
   it("is read with decimal commas and semicolons, as spreadsheets of many languages write it", () => {

@@ -1,6 +1,7 @@
 /**
  * Studies as CSV. A row is the work of one student on one task, or, without a task, a student's
- * answers, which may all be empty. The columns of the answers are the ids of the questions.
+ * answers, which may all be empty. The columns of the answers are the ids of the questions, with
+ * `answer_` before an id that is the name of another column.
  *
  * Two tables of the thesis of 2013 are read as well: times, with one column `TASK_seconds` per task
  * and one row per student, and answers, with one column per question.
@@ -8,7 +9,14 @@
 import { problem, readValue, type FieldProblem, type ReadResult } from "@corridor/protocol";
 import { csvLines, parseCsv, type CsvTable, type CsvValue } from "./csv.ts";
 import { questionIds } from "./report.ts";
-import { answersSchema, workSchema, type Answers, type Study, type Work } from "./study.ts";
+import {
+  answersSchema,
+  answerTo,
+  workSchema,
+  type Answers,
+  type Study,
+  type Work,
+} from "./study.ts";
 
 /** 200 students with 12 tasks and a survey have 2,600 rows. */
 export const MAX_ROWS = 10_000;
@@ -33,21 +41,45 @@ const counts = {
 } as const satisfies Record<string, keyof Work>;
 const countColumns = Object.entries(counts);
 
+const ANSWER = "answer_";
+
+/** Whether an id needs the prefix: it is the name of a column, or such a name with the prefix. */
+function needsPrefix(id: string): boolean {
+  const name = id.replace(/^(?:answer_)+/, "");
+  return name === "student" || name === "task" || Object.hasOwn(counts, name);
+}
+
+/** The column of the answers to a question. */
+function answerColumn(id: string): string {
+  return needsPrefix(id) ? ANSWER + id : id;
+}
+
+/** The id of the question whose answers a column contains. */
+function idOfColumn(column: string): string {
+  const id = column.startsWith(ANSWER) ? column.slice(ANSWER.length) : column;
+  return needsPrefix(id) ? id : column;
+}
+
 /** Formats a study. @returns the lines of the table */
 export function studyCsv(study: Study): string[] {
   const ids = questionIds(study);
-  const columns = ["student", "task", ...countColumns.map(([column]) => column), ...ids];
+  const columns = [
+    "student",
+    "task",
+    ...countColumns.map(([column]) => column),
+    ...ids.map(answerColumn),
+  ];
   const work = study.work.map((row) => [
     row.student,
     row.task,
     ...countColumns.map(([, field]) => row[field]),
     ...ids.map(() => null),
   ]);
-  const survey = study.survey.map(({ student, answers }): CsvValue[] => [
-    student,
+  const survey = study.survey.map((row): CsvValue[] => [
+    row.student,
     null,
     ...countColumns.map(() => null),
-    ...ids.map((id) => answers[id] ?? null),
+    ...ids.map((id) => answerTo(row, id)),
   ]);
   return csvLines(columns, [...work, ...survey]);
 }
@@ -95,7 +127,7 @@ export function joinStudies(studies: readonly Study[]): ReadResult<Study> {
 function readRows({ columns, rows }: CsvTable): ReadResult<Study> {
   const isKnown = (column: string) =>
     column === "student" || column === "task" || Object.hasOwn(counts, column);
-  const ids = columns.filter((column) => !isKnown(column));
+  const ids = columns.filter((column) => !isKnown(column)).map(idOfColumn);
   const wrong = ids.find((id) => !QUESTION_ID.test(id));
   if (wrong !== undefined) {
     return problem("row 1", `the column ${JSON.stringify(wrong)}`, "the id of a question");
@@ -106,10 +138,10 @@ function readRows({ columns, rows }: CsvTable): ReadResult<Study> {
   for (const { at, cells } of rows) {
     const cell = (column: string): string => cells[columns.indexOf(column)] ?? "";
     const student = cell("student") || null;
-    const answers = Object.fromEntries(ids.map((id) => [id, numberOf(cell(id))]));
+    const answers = Object.fromEntries(ids.map((id) => [id, numberOf(cell(answerColumn(id)))]));
     const isSurvey = cell("task") === "";
     if (isSurvey) {
-      take(readValue(answersSchema, { student, answers }), at, survey, problems);
+      take(readValue(answersSchema, { student, answers }), at, survey, problems, answerColumn);
     } else if (Object.values(answers).some((answer) => answer !== null)) {
       problems.push({
         path: `row ${at}, task`,
@@ -133,7 +165,7 @@ function readTimes({ columns, rows }: CsvTable): ReadResult<Study> {
     for (const { at, cells } of rows) {
       const seconds = numberOf(cells[index] ?? "");
       const row = { ...unknown, student: null, task: column.slice(0, -SECONDS.length), seconds };
-      take(readValue(workSchema, row), at, work, problems, column);
+      take(readValue(workSchema, row), at, work, problems, () => column);
     }
   }
   return resultOf({ work, survey: [] }, problems);
@@ -150,24 +182,29 @@ function readAnswers({ columns, rows }: CsvTable): ReadResult<Study> {
   return resultOf({ work: [], survey }, problems);
 }
 
-/** Adds a row, or its problems with their place in the table. */
+/**
+ * Adds a row, or its problems with their place in the table.
+ * @param columnOf the column of a field or of the answers to a question
+ */
 function take<Row>(
   read: ReadResult<Row>,
   at: number,
   rows: Row[],
   problems: FieldProblem[],
-  column?: string,
+  columnOf = countColumn,
 ): void {
   if (read.ok) rows.push(read.value);
   else {
     for (const each of read.problems) {
-      problems.push({ ...each, path: `row ${at}, ${column ?? columnOf(each.path)}` });
+      problems.push({
+        ...each,
+        path: `row ${at}, ${columnOf(each.path.replace(/^answers\./, ""))}`,
+      });
     }
   }
 }
 
-function columnOf(path: string): string {
-  const field = path.replace(/^answers\./, "");
+function countColumn(field: string): string {
   return countColumns.find(([, name]) => name === field)?.[0] ?? field;
 }
 

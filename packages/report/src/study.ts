@@ -6,7 +6,7 @@ const MAX_SECONDS = 12 * 60 * 60;
 const MAX_COUNT = 1_000_000;
 const MAX_LINES = 200;
 /** Longest label of a student or task. */
-const MAX_LABEL = 100;
+export const MAX_LABEL = 100;
 
 const label = z
   .string()
@@ -61,6 +61,12 @@ export const answersSchema = z.strictObject({
   student,
   answers: z.record(z.string(), answerSchema),
 });
+
+/** The answer to a question, which other tables of the study may have. */
+export function answerTo({ answers }: Pick<Answers, "answers">, id: string) {
+  // An id can be the name of a property of all objects, such as "constructor".
+  return Object.hasOwn(answers, id) ? (answers[id] ?? null) : null;
+}
 
 export interface Study {
   work: readonly Work[];

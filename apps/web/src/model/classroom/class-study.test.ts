@@ -1,4 +1,6 @@
-import { readStudyCsv, studyCsv } from "@corridor/report";
+import { MAX_NAME_LENGTH } from "@corridor/maze";
+import { joinStudies, readStudyCsv, studyCsv } from "@corridor/report";
+import fc from "fast-check";
 import { expect, it } from "vitest";
 import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
 import { studyOf } from "./class-study.ts";
@@ -63,4 +65,46 @@ it("tasks with equal or without names have different labels", () => {
     taskName: (number) => `Task ${number}`,
   });
   expect(study.work.map((row) => row.task)).toEqual(["One line", "Task 2: One line", "Task 3"]);
+});
+
+it("a report can be read again, whatever names the tasks and ids the questions have", () => {
+  const [task] = sampleLesson.tasks;
+  if (task === undefined) throw new Error("no task");
+  const names = fc.array(
+    fc.oneof(
+      fc.string({ maxLength: MAX_NAME_LENGTH }),
+      fc.constantFrom("", " ", "A", "Task 2", "Task 2: A", "=1", "'", "a\nb"),
+      fc.constantFrom("a", "\u{1F916}").map((each) => each.repeat(50).padEnd(MAX_NAME_LENGTH, "b")),
+    ),
+    { minLength: 1, maxLength: 12 },
+  );
+  const ids = fc.uniqueArray(
+    fc.oneof(
+      fc.stringMatching(/^[a-z][a-z0-9_]{0,31}$/),
+      fc.constantFrom("hints", "answer_hints", "student", "constructor"),
+    ),
+    { maxLength: 8 },
+  );
+  fc.assert(
+    fc.property(names, ids, (named, asked) => {
+      const study = studyOf({
+        lesson: {
+          ...sampleLesson,
+          tasks: named.map((name) => ({ ...task, name })),
+          survey: asked.map((id) => ({ id, question: "How much?" })),
+        },
+        students: [
+          seenStudent(1, {
+            tasks: named.map((_, at) => ({ ...work, task: at + 1 })),
+            answers: Object.fromEntries(asked.slice(1).map((id) => [id, 4])),
+          }),
+        ],
+        verifications: new Map(),
+        nameOf: () => "Juniper",
+        taskName: (number) => `Task ${number}`,
+      });
+      expect(readStudyCsv(studyCsv(study).join("\r\n"))).toEqual({ ok: true, value: study });
+      expect(joinStudies([study]).ok).toBe(true);
+    }),
+  );
 });

@@ -1,6 +1,6 @@
 /** What a class did, as the report reads it: a row for each student and task. Pure. */
 import type { LessonDocument } from "@corridor/challenge";
-import type { Answers, Study, Work } from "@corridor/report";
+import { MAX_LABEL, type Answers, type Study, type Work } from "@corridor/report";
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import type { Verifications } from "./verifier.ts";
 
@@ -43,7 +43,8 @@ export function studyOf(parts: ClassStudyParts): Study {
   );
   // Who opened no task and gave no answer is a student of the class, too.
   const survey = students.map((student): Answers => {
-    const answers = lesson.survey.map(({ id }) => [id, student.answers?.[id] ?? null] as const);
+    const given = new Map(Object.entries(student.answers ?? {}));
+    const answers = lesson.survey.map(({ id }) => [id, given.get(id) ?? null] as const);
     return { student: nameOf(student), answers: Object.fromEntries(answers) as Answers["answers"] };
   });
   return { work, survey };
@@ -55,7 +56,19 @@ function taskLabels(
   taskName: ClassStudyParts["taskName"],
 ): readonly string[] {
   const names = tasks.map(({ name }, at) => name.trim() || taskName(at + 1));
-  return names.map((name, at) =>
-    names.indexOf(name) === at ? name : `${taskName(at + 1)}: ${name}`,
+  const numbered = names.map((name, at) => shortLabel(`${taskName(at + 1)}: ${name}`));
+  const labels = names.map((name, at) =>
+    names.indexOf(name) === at ? name : (numbered[at] ?? name),
   );
+  // The name of a task can be the label of another one.
+  return new Set(labels).size === labels.length ? labels : numbered;
+}
+
+/** The beginning of a label that is longer than a report reads. */
+function shortLabel(label: string): string {
+  // Half of a character is not stored as it is.
+  return label
+    .slice(0, MAX_LABEL)
+    .replace(/[\uD800-\uDBFF]$/, "")
+    .trimEnd();
 }
