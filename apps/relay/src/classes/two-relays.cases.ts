@@ -167,7 +167,9 @@ export function twoRelaysCases(
       const shownAt = async (relay: ClassRegistry) => {
         const display = await screen(relay);
         display.leave();
-        return display.sent.flatMap((message) => (message.type === "display" ? [message.content] : []));
+        return display.sent.flatMap((message) =>
+          message.type === "display" ? [message.content] : [],
+        );
       };
       const laptop = await teacher(a);
       const phone = await teacher(b);
