@@ -1,6 +1,7 @@
 /** Single requests to the API of a robot, besides its connection. */
+import { isTemporary } from "@corridor/protocol";
 import type { HttpResponse, Platform } from "./platform.ts";
-import { isTemporary, retryDelay } from "./temporary-failure.ts";
+import { retryDelay } from "./retry-delay.ts";
 
 /** Delay before a failed request is repeated. */
 const RETRY_MS = 1_000;

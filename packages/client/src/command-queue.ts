@@ -12,12 +12,12 @@ import {
   type CommandRecord,
   type Order,
   type ProblemDocument,
+  isTemporary,
 } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import { CommandTimes } from "./command-times.ts";
 import type { OutgoingMessage } from "./long-poll-connection.ts";
 import type { Platform } from "./platform.ts";
-import { isTemporary } from "./temporary-failure.ts";
 
 /** Delay before a command is sent again after the relay was busy. */
 const BUSY_DELAY_MS = 500;

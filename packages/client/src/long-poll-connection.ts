@@ -9,10 +9,11 @@ import {
   takenMessagesSchema,
   type SocketEvents,
   type SocketPort,
+  isTemporary,
 } from "@corridor/protocol";
 import type { HttpResponse, SendRequest, Platform } from "./platform.ts";
 import { FIRST_DELAY_MS, Backoff } from "./backoff.ts";
-import { isTemporary, retryDelay } from "./temporary-failure.ts";
+import { retryDelay } from "./retry-delay.ts";
 
 /** Shortest wait of a long poll, in seconds. */
 const MIN_WAIT = 1;

@@ -5,11 +5,12 @@ import {
   problemSchema,
   readJson,
   readValue,
+  isTemporary,
 } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import { Backoff } from "./backoff.ts";
 import type { HttpRequest, HttpResponse, Platform } from "./platform.ts";
-import { isTemporary, retryDelay } from "./temporary-failure.ts";
+import { retryDelay } from "./retry-delay.ts";
 
 const MAX_RESPONSE = 4_096;
 /** Wait of a long poll. Short enough for proxies that close idle connections. */

@@ -7,11 +7,12 @@ import {
   type Marks,
   type RelayToDriver,
   type Snapshot,
+  isTemporary,
 } from "@corridor/protocol";
 import { Connection } from "./connection.ts";
 import { globalPlatform, type HttpResponse, type Platform } from "./platform.ts";
 import { connectionUrls } from "./connection-urls.ts";
-import { isTemporary, retryDelay } from "./temporary-failure.ts";
+import { retryDelay } from "./retry-delay.ts";
 import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 
 /** Delay before a failed request for the maze is repeated. */

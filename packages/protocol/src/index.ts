@@ -265,3 +265,4 @@ export { TICKS_PER_SECOND } from "./ticks.ts";
 export { MAX_RUN_INPUTS, MAX_RUN_TICKS } from "./run-bounds.ts";
 export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";
 export { sensorNames, type SensorName } from "./sensor-names.ts";
+export { isTemporary } from "./temporary-failure.ts";

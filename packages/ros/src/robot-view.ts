@@ -1,6 +1,6 @@
 /** The robot as topics show it: its newest snapshot, its velocity and its maze. */
 import { CELL, readMaze, sizeOf, type MazeDocument } from "@corridor/maze";
-import { RefusedError, type RobotPort, type Snapshot } from "@corridor/protocol";
+import { isTemporary, RefusedError, type RobotPort, type Snapshot } from "@corridor/protocol";
 import {
   rosPose,
   stampOf,
@@ -82,12 +82,7 @@ async function mazeOf(port: RobotPort): Promise<MazeDocument | null> {
     const maze = readMaze((await port.readMaze()).text);
     return maze.ok ? maze.value : null;
   } catch (error) {
-    if (error instanceof RefusedError && !mayComeBack(error)) return null;
+    if (error instanceof RefusedError && !isTemporary(error.problem)) return null;
     throw error;
   }
-}
-
-/** Whether the host only cannot answer now, because of its store, the network or too many requests. */
-function mayComeBack({ problem }: RefusedError): boolean {
-  return problem.status >= 500 || problem.status === 429;
 }

@@ -1,15 +1,8 @@
-/** Which responses are temporary failures, and when to send the same request again. */
+/** When to send the same request again after a temporary failure. */
 import type { HttpResponse } from "./platform.ts";
 
-/** Request timeout, too early, too many requests. All statuses from 500 are temporary too. */
-const statuses: ReadonlySet<number> = new Set([408, 425, 429]);
 /** A longer `Retry-After` counts as this many seconds. */
 const MAX_RETRY_AFTER = 60;
-
-/** Whether the same request may succeed later. */
-export function isTemporary({ status }: { status: number }): boolean {
-  return status >= 500 || statuses.has(status);
-}
 
 /**
  * The delay until the same request is sent again.
