@@ -7,6 +7,7 @@ import { createServer, request, type IncomingMessage, type ServerResponse } from
 import type { AddressInfo } from "node:net";
 import type { Duplex } from "node:stream";
 import {
+  featureListSchema,
   hasEnded,
   type CommandRecord,
   type EventPage,
@@ -91,9 +92,11 @@ async function forward(origin: string, incoming: IncomingMessage, response: Serv
   if (url.endsWith("/features")) {
     const authorization = headers.authorization ?? "";
     const forwarded = await fetch(origin + url, { headers: { authorization } });
-    const body = await forwarded.text();
     response.writeHead(forwarded.status, { "Content-Type": "application/json" });
-    return response.end(body.replace(/\{"feature": "websocket", "reason": "[^"]*"\}(, )?/, ""));
+    if (!forwarded.ok) return response.end(await forwarded.text());
+    const { notOffered } = featureListSchema.parse(await forwarded.json());
+    const others = notOffered.filter(({ feature }) => feature !== "websocket");
+    return response.end(JSON.stringify({ notOffered: others }));
   }
   const outgoing = request(origin + url, { method, headers }, (forwarded) => {
     response.writeHead(forwarded.statusCode ?? 502, forwarded.headers);
