@@ -121,6 +121,9 @@ async function endsRaceWithEdit(corridor: CorridorPage): Promise<void> {
   // The tools fit into one row. A second row would take space from the maze.
   const view = await page.getByRole("button", { name: "View", exact: true }).boundingBox();
   expect(view?.y).toBe(box?.y);
+  // Two messages would cover the tools, and what they are about.
+  await expect(corridor.message(/^Ghost A is ready\./)).toBeVisible();
+  await expect(corridor.message("A recorded run.")).not.toBeVisible();
   await corridor.dismissMessages();
   await chip.click();
   await expect(corridor.dialog("Race").getByRole("row")).toHaveCount(3);

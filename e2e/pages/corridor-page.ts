@@ -175,7 +175,8 @@ export class CorridorPage {
 
   /** Dismisses all messages, so that none covers the next click target. */
   async dismissMessages(): Promise<void> {
-    const dismiss = this.messages.getByRole("button", { name: "Dismiss" });
+    // Phones show the newest message only.
+    const dismiss = this.messages.getByRole("button", { name: "Dismiss", includeHidden: true });
     // Clicks all in one call: a message may disappear by itself between two clicks.
     await dismiss.evaluateAll((buttons: HTMLElement[]) => {
       for (const button of buttons) button.click();
