@@ -68,8 +68,14 @@ test("a micromouse program shows its map in the page, until it ends or the map i
     await expect(scripts.getByText("mms script")).toBeVisible();
     const stage = new StageScreenshot(page);
     const withMarks = await stage.capture();
+    const switchOfViewer = viewer.getByRole("checkbox", { name: "Marks of scripts" });
+    await expect(switchOfViewer).toBeChecked();
     const seen = viewer.getByRole("main");
     const seenMarks = await seen.screenshot();
+    await switchOfViewer.click();
+    await expect.poll(async () => (await seen.screenshot()).equals(seenMarks)).toBe(false);
+    await switchOfViewer.click();
+    await expect.poll(async () => (await seen.screenshot()).equals(seenMarks)).toBe(true);
     await toggleMarks(page);
     await stage.expectDifferent(withMarks);
     const without = await stage.capture();

@@ -58,7 +58,7 @@ export function WatchPage({ store, tools, client }: WatchPageProps) {
         {ending === null && drawer !== null ? (
           <>
             <WatchStage store={store} client={drawer} />
-            <WatchPanel store={store} />
+            <WatchPanel store={store} client={drawer} />
           </>
         ) : (
           <WatchEnding ending={ending ?? "failed"} />

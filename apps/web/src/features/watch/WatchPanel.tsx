@@ -5,6 +5,8 @@ import { useStore } from "zustand";
 import { facingOf } from "../../stage/page/robot-place.ts";
 import { WatchReadings } from "./WatchReadings.tsx";
 import { drivenBy, robotState, type WatchStore } from "./watch-store.ts";
+import type { WatchClient } from "./watch-client.ts";
+import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./watch.module.css";
 
@@ -15,7 +17,12 @@ const icons = {
   waiting: <Icon of={RadioTower} />,
 };
 
-export function WatchPanel({ store }: { store: WatchStore }) {
+interface WatchPanelProps {
+  store: WatchStore;
+  client: Pick<WatchClient, "showMarks">;
+}
+
+export function WatchPanel({ store, client }: WatchPanelProps) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
   const name = useStore(store, ({ maze }) => maze?.name ?? "");
   const bumps = useStore(store, ({ snapshot }) => snapshot?.bumps ?? 0);
@@ -38,8 +45,24 @@ export function WatchPanel({ store }: { store: WatchStore }) {
         <dt>{t("watch:bumps")}</dt>
         <dd>{bumps}</dd>
       </dl>
+      <MarksSwitch store={store} client={client} />
       <p className={styles["note"]}>{t("watch:note")}</p>
     </aside>
+  );
+}
+
+/** Offered once a script has marked cells. */
+function MarksSwitch({ store, client }: WatchPanelProps) {
+  const { t } = useTranslation();
+  const hasMarks = useStore(store, (state) => state.hasMarks);
+  const showsMarks = useStore(store, (state) => state.showsMarks);
+  if (!hasMarks) return null;
+  return (
+    <Checkbox
+      label={t("stage.showMarks")}
+      checked={showsMarks}
+      onChange={(isShown) => client.showMarks(isShown)}
+    />
   );
 }
 

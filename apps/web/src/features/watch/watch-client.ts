@@ -17,11 +17,13 @@ interface WatchPort {
 
 export class WatchClient implements StageLink {
   readonly #port: WatchPort;
+  readonly #store: WatchStore;
   readonly #listeners = new Set<Parameters<StageLink["listen"]>[0]>();
 
   /** @param store receives the state of the robot */
   constructor(port: WatchPort, store: WatchStore) {
     this.#port = port;
+    this.#store = store;
     port.onmessage = ({ data }) => {
       switch (data.type) {
         case "watch-status":
@@ -34,6 +36,8 @@ export class WatchClient implements StageLink {
           store.setState((state) => seeSnapshot(state, data.snapshot));
           port.postMessage({ type: "stage-numbers", snapshot: data.snapshot }, []);
           return;
+        case "watch-marks":
+          return store.setState({ hasMarks: true });
         case "watch-maze":
           return store.setState({ maze: data.maze });
         case "picture":
@@ -51,6 +55,11 @@ export class WatchClient implements StageLink {
   /** Stops watching. */
   stop(): void {
     this.#port.postMessage({ type: "watch", robot: null }, []);
+  }
+
+  showMarks(showsMarks: boolean): void {
+    this.#store.setState({ showsMarks });
+    this.#port.postMessage({ type: "hide-marks", isHidden: !showsMarks }, []);
   }
 
   /** Reconnects now, because the device is online again. */

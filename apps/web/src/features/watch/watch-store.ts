@@ -14,6 +14,10 @@ export interface WatchState {
   snapshot: Snapshot | null;
   /** the last tick at which a script's command ran; null if none has since Remote drives */
   scriptTick: number | null;
+  /** whether a script has marked cells of the maze */
+  hasMarks: boolean;
+  /** false: the viewer has hidden the marks */
+  showsMarks: boolean;
   /** null: the maze is unknown; undefined: not received yet */
   maze: MazeDocument | null | undefined;
   /** whether the worker failed */
@@ -21,15 +25,16 @@ export interface WatchState {
 }
 
 export function createWatchStore(visit: Visit) {
-  return createStore<WatchState>()(() => ({ ...nothingYet, visit }));
+  return createStore<WatchState>()(() => ({ ...nothingYet, visit, showsMarks: true }));
 }
 export type WatchStore = ReturnType<typeof createWatchStore>;
 
 /** The state before any message about a robot. */
-export const nothingYet: Omit<WatchState, "visit"> = {
+export const nothingYet: Omit<WatchState, "visit" | "showsMarks"> = {
   line: { kind: "connecting", isAgain: false },
   snapshot: null,
   scriptTick: null,
+  hasMarks: false,
   maze: undefined,
   isBroken: false,
 };

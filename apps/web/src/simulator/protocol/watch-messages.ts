@@ -15,12 +15,16 @@ export type ToWatcher =
   /** watches only this robot from now on; null: none */
   | { type: "watch"; robot: WatchedRobot | null }
   /** the device is online again */
-  | { type: "watch-again" };
+  | { type: "watch-again" }
+  /** whether marks of scripts are drawn over the maze */
+  | { type: "hide-marks"; isHidden: boolean };
 
 export type FromWatcher =
   | StageFromWorker
   | { type: "watch-status"; status: WatchStatus }
   /** a few times a second, and at once if more than numbers have changed */
   | { type: "watch-snapshot"; snapshot: Snapshot }
+  /** a script has marked cells; sent once for each robot */
+  | { type: "watch-marks" }
   /** null: unknown */
   | { type: "watch-maze"; maze: MazeDocument | null };

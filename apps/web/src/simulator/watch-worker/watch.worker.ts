@@ -32,6 +32,7 @@ const marks = new MarkedCells(() => {
   if (newest !== null) paint({ ...newest, corners: [], bumps: [], trailReset: false });
 });
 let newest: Frame | null = null;
+let hasMarks = false;
 const painter = new StagePainter({
   post: (message) => {
     if (message.type === "picture" || message.type === "stage-scroll-to") post(message);
@@ -48,6 +49,7 @@ const painter = new StagePainter({
 worker.onmessage = ({ data }: MessageEvent<ToWatcher>) => {
   if (data.type === "watch") return watch(data.robot);
   if (data.type === "watch-again") return connection?.open();
+  if (data.type === "hide-marks") return marks.hide(data.isHidden);
   return painter.handle(data);
 };
 
@@ -55,6 +57,7 @@ function watch(robot: WatchedRobot | null): void {
   connection?.close();
   connection = null;
   marks.clear();
+  hasMarks = false;
   if (robot === null) return;
   const { id, key } = robot;
   connection = new WatchConnection({
@@ -69,7 +72,11 @@ function watch(robot: WatchedRobot | null): void {
       resting = setTimeout(draw, REST_MS);
       send(snapshot);
     },
-    onMarks: (received) => marks.add(received),
+    onMarks: (received) => {
+      marks.add(received);
+      if (!hasMarks && received.cells.length > 0) post({ type: "watch-marks" });
+      hasMarks ||= received.cells.length > 0;
+    },
     onMaze: (text) => {
       const read = text === null ? null : readMaze(text);
       post({ type: "watch-maze", maze: read?.ok === true ? read.value : null });
