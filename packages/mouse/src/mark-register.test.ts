@@ -83,6 +83,19 @@ describe("display commands", () => {
     expect(marks).toHaveLength(2);
   });
 
+  it("are repeated while others change, for viewers who join in the middle of a run", async () => {
+    const { marks, timers, lines } = await startMouse(drawn());
+    lines.say("setText 0 0 old");
+    await timers.pass(100);
+    marks.length = 0;
+    for (let ms = 0; ms < 3_000; ms += 50) {
+      lines.say(`setText 1 1 ${ms}`);
+      await timers.pass(50);
+    }
+    const repeated = marks.filter(({ cells }) => cells.some(({ text }) => text === "old"));
+    expect(repeated).toHaveLength(3);
+  });
+
   it("are repeated once a second while nothing changes, in turn and without empty cells", async () => {
     const blocks = Array.from({ length: 20 }, () => ".".repeat(20));
     const start = { column: 0, row: 19, heading: "north" } as const;

@@ -15,7 +15,7 @@ import type { MazeFrame } from "./maze-frame.ts";
 import { sideNames, type DisplayCommand, type SideName } from "./mouse-command.ts";
 
 const INTERVAL_MS = 100;
-/** While nothing changes, marks are repeated this often: for new viewers, and after a reload. */
+/** Marks are repeated this often, also while others change: for new viewers, and after a reload. */
 const REPEAT_MS = 1_000;
 const MAX_TEXT = 10;
 
@@ -43,7 +43,7 @@ export class MarkRegister {
   readonly #changed = new Set<Cell>();
   #lastMs = Number.NEGATIVE_INFINITY;
   #cancelSend: (() => void) | null = null;
-  #cancelRepeat: () => void = () => undefined;
+  #cancelRepeat: (() => void) | null = null;
   /** the cells that are repeated next */
   #repeated = this.#cells.values();
 
@@ -81,7 +81,7 @@ export class MarkRegister {
 
   close(): void {
     this.#cancelSend?.();
-    this.#cancelRepeat();
+    this.#cancelRepeat?.();
   }
 
   #cellAt({ x, y }: { x: number; y: number }): Cell | null {
@@ -135,12 +135,12 @@ export class MarkRegister {
     this.#publish({ fresh: false, pitch: this.#frame.pitch, cells: marks });
     const [next] = this.#changed;
     if (next !== undefined) this.#change(next);
-    this.#cancelRepeat();
-    this.#cancelRepeat = this.#timers.after(REPEAT_MS, () => this.#repeat());
+    this.#cancelRepeat ??= this.#timers.after(REPEAT_MS, () => this.#repeat());
   }
 
   /** Sends the next cells again. Ends when no cell has marks. */
   #repeat(): void {
+    this.#cancelRepeat = null;
     const isMarked = ({ text, color, walls }: Cell): boolean =>
       text !== "" || color !== null || walls.size > 0;
     for (let count = 0; count < this.#cells.size; count += 1) {
