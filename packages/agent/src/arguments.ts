@@ -17,7 +17,7 @@ const until = untilSchema.optional();
 const key = idempotencyKeySchema
   .optional()
   .describe(
-    "8 to 64 of A-Z a-z 0-9 _ -, a new one for each command. Repeat it only to try the same command again: the robot then does not move twice.",
+    "8 to 64 of A-Z a-z 0-9 _ -, a new one for each command, also in a new conversation. Repeat it only to try the same command again: the robot then does not move twice.",
   );
 
 export const noArguments = z.strictObject({});

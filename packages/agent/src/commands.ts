@@ -74,7 +74,11 @@ function describeRecord(record: CommandRecord): string {
   parts.push(".");
   if (state === "collided") parts.push(" The robot touched a wall and stands still.");
   if (reason !== null) parts.push(` ${reason}`);
-  if (duplicate) parts.push(" This key was sent before, so the robot did not move again.");
+  if (duplicate) {
+    parts.push(
+      " This key was sent before, so the robot did not move again. If this is a new command, send it with another key.",
+    );
+  }
   if (!hasEnded(state)) {
     const how = key === null ? "call wait or sense" : "send the same act with the same key";
     parts.push(` It has not ended yet: to follow it, ${how}.`);
