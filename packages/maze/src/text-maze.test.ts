@@ -105,6 +105,11 @@ describe("a maze drawn as text", () => {
       lines: ["Dear all, the maze"],
       problem: 'line 1: "Dear all, the maze", a row of',
     },
+    {
+      defect: "walls as bytes of another number of cells",
+      lines: ["\u000E\u000A\u000B\u0006".repeat(25)],
+      problem: ": data that is not text, a drawing, a list of cells, or 256 bytes of walls",
+    },
     { defect: "nothing", lines: ["", "  "], problem: ": nothing, a maze, line by line" },
     {
       defect: "too wide",

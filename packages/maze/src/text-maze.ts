@@ -13,6 +13,9 @@ import { readSquares } from "./text-squares.ts";
 
 /** Maximum text length in characters. The longest list of cells nearly needs it. */
 const MAX_TEXT_LENGTH = 262_144;
+/** Characters of binary files, such as those of mazes with another number of cells. */
+// oxlint-disable-next-line no-control-regex -- these are the characters to find
+const CONTROL = /[\u0000-\u0008\u000E-\u0019]/;
 
 /**
  * Reads a drawn maze. docs/maze-format.md describes the notations.
@@ -28,6 +31,9 @@ export function readTextMaze(text: string, name: string): ReadResult<MazeDocumen
   if (lines.every((line) => line.trim() === "")) return refuse("nothing", "a maze, line by line");
   const start = lines.find((line) => line.trim() !== "") ?? "";
   const read = readerOf(start);
+  if (read === readSquares && CONTROL.test(start)) {
+    return refuse("data that is not text", "a drawing, a list of cells, or 256 bytes of walls");
+  }
   // If spaces are open squares, a line of spaces is a row. Otherwise it only surrounds the drawing.
   const isSpaced = read === readSquares && !lines.some((line) => /[._]/.test(line));
   const isRow = (line: string): boolean => (isSpaced ? line : line.trim()) !== "";
