@@ -90,6 +90,7 @@ test("lets the teacher solve each task, and begins with the 2013 study, or with 
   await editor.beginEmpty();
   await test.step("a solution sets the numbers of its task", () => solveOnce(editor));
   await test.step("equal tasks have one solution each", () => solveBoth(editor));
+  await test.step("a shared lesson stays the same when it is solved", () => solveShared(editor));
   await page.goto(list);
   await expect(page.getByText("solved by you")).toBeVisible();
 
@@ -182,6 +183,26 @@ async function solveBoth(editor: LessonEditor): Promise<void> {
   await band.getByRole("button", { name: "Back to the editor" }).click();
   await expect(page.getByText("You have not solved this task yet.")).toBeHidden();
   await expect(editor.status).toBeVisible();
+}
+
+/** Shares an unsolved task, and solves it: the codes of students stay those of the lesson. */
+async function solveShared(editor: LessonEditor): Promise<void> {
+  const { page } = editor;
+  const dialog = page.getByRole("dialog");
+  const link = dialog.getByRole("textbox", { name: "Link" });
+  await editor.maze.click({ column: 6, row: 3 });
+  await editor.button("Share lesson").click();
+  await dialog.getByRole("button", { name: "Share anyway" }).click();
+  const shared = await link.inputValue();
+  await page.keyboard.press("Escape");
+  await editor.button("Solve it once").click();
+  await editor.solveEmpty();
+  await expect(trialOf(editor).getByRole("status")).toContainText("passes: 1 line");
+  await trialOf(editor).getByRole("button", { name: "Back to the editor" }).click();
+  await expect(page.getByText(/^passes: 1 line/)).toBeVisible();
+  await editor.button("Share lesson").click();
+  await expect(link).toHaveValue(shared);
+  await page.keyboard.press("Escape");
 }
 
 test("asks for the name of a new lesson first, puts typed text into the field that a button adds, has one history, and warns before it shares", async ({

@@ -5,6 +5,7 @@ import { useTranslation } from "react-i18next";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { storageOrNone } from "../../model/storage/key-value-storage.ts";
 import { SavedLessons } from "../../model/teaching/saved-lessons.ts";
+import { SharedLessons } from "../../model/teaching/shared-lessons.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { Select } from "../../ui/Select.tsx";
@@ -28,10 +29,9 @@ export function SendLesson({ isOpen, onClose }: SendLessonProps) {
 function SendForm({ onClose }: Pick<SendLessonProps, "onClose">) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { calls, report } = useContent();
+  const [device] = useState(() => storageOrNone(() => localStorage));
   const [saved] = useState(() =>
-    new SavedLessons(storageOrNone(() => localStorage))
-      .list()
-      .filter(({ lesson }) => parseLesson(lesson).ok),
+    new SavedLessons(device).list().filter(({ lesson }) => parseLesson(lesson).ok),
   );
   const [chosen, setChosen] = useState(saved[0]?.id ?? "");
   const [isSent, setSent] = useState(false);
@@ -40,8 +40,12 @@ function SendForm({ onClose }: Pick<SendLessonProps, "onClose">) {
     if (found === undefined) return;
     const refusal = await calls.sendLesson(found.lesson);
     report(refusal);
-    if (refusal === null) setSent(true);
-    else onClose();
+    if (refusal !== null) {
+      onClose();
+      return;
+    }
+    new SharedLessons(device).add(found.lesson);
+    setSent(true);
   };
   if (saved.length === 0) return <p>{t("send.none")}</p>;
   return (

@@ -13,6 +13,7 @@ import { PrintDialog } from "../../ui/print/lazy-print-dialog.ts";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { SavedLessons, type SavedLesson } from "../../model/teaching/saved-lessons.ts";
+import { SharedLessons } from "../../model/teaching/shared-lessons.ts";
 import { solutionOf } from "../../model/teaching/solution.ts";
 import { printedLesson } from "./share/printed-lesson.ts";
 import { ShareLessonDialog } from "./share/lazy-share-lesson-dialog.ts";
@@ -87,6 +88,7 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
               setSharing(true);
             }}
             onPrint={() => {
+              new SharedLessons(device).add(saved.lesson);
               setPrinted(saved);
               setPrinting(true);
             }}
@@ -114,6 +116,7 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
           isOpen={isSharing}
           lesson={shared.lesson}
           isSolved={isSolved(shared)}
+          device={device}
           onSolve={() => (location.hash = lessonHash(shared.id))}
           onClose={() => setSharing(false)}
         />

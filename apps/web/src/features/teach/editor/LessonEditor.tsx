@@ -71,7 +71,7 @@ export function LessonEditor(props: LessonEditorProps) {
       program: null,
       isSolving: false,
       task: draft.store.getState().task,
-      onSolved: draft.startTrial("try"),
+      onSolved: draft.startTrial(),
     });
   const solve = (): void => {
     const { task } = draft;
@@ -80,7 +80,7 @@ export function LessonEditor(props: LessonEditorProps) {
     // Only this task: in a lesson in turn, it may not be open yet.
     const alone = { ...draft.lesson, order: "any" as const, tasks: [task] };
     setSharing(false);
-    const onSolved = draft.startTrial("solve");
+    const onSolved = draft.startTrial();
     setTrial({ lesson: alone, program, isSolving: true, task: index, onSolved });
   };
   if (trial !== null) {
@@ -131,6 +131,7 @@ export function LessonEditor(props: LessonEditorProps) {
       <ShareLessonDialog
         isOpen={isSharing}
         lesson={shared}
+        device={device}
         isSolved={lesson.tasks.every((task) => solutionOf(solutions, task) !== null)}
         onSolve={solve}
         onClose={() => setSharing(false)}

@@ -5,6 +5,7 @@ import { useStore } from "zustand";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { LessonAutosave } from "./lesson-autosave.ts";
 import { SavedLessons, type SavedLesson } from "../../../model/teaching/saved-lessons.ts";
+import { SharedLessons } from "../../../model/teaching/shared-lessons.ts";
 import { TeachFrame } from "../frame/TeachFrame.tsx";
 import type { TeachSlots } from "../frame/teach-slots.ts";
 import { lessonHash } from "../frame/teach-view.ts";
@@ -50,7 +51,8 @@ interface OpenLessonEditorProps extends Pick<
 
 function OpenLessonEditor({ lessons, saved, ...frame }: OpenLessonEditorProps) {
   const [{ draft, autosave }] = useState(() => {
-    const opened = new LessonDraft(saved.lesson, saved.solutions);
+    const shared = new SharedLessons(frame.device);
+    const opened = new LessonDraft(saved.lesson, saved.solutions, (lesson) => shared.has(lesson));
     const later = (run: () => void, milliseconds: number) => setTimeout(run, milliseconds);
     const ports = { lessons, draft: opened, now: () => Date.now(), later };
     return { draft: opened, autosave: new LessonAutosave(ports, saved) };

@@ -1,15 +1,21 @@
 import { lessonMark } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { programOf } from "../testing/sample-lesson.ts";
+import { MemoryStorage } from "../../../model/storage/testing/memory-storage.ts";
+import { withoutBlankTexts } from "../../../model/teaching/blank-texts.ts";
+import { SharedLessons } from "../../../model/teaching/shared-lessons.ts";
 import { solutionOf } from "../../../model/teaching/solution.ts";
 import { corridor, lessonWith, taskWith } from "../testing/teacher-task.ts";
 import { LessonDraft } from "./lesson-draft.ts";
 import { addQuestion } from "./task-list-edits.ts";
 
 function open() {
-  const draft = new LessonDraft(lessonWith(taskWith({ name: "One" }), taskWith({ name: "Two" })));
+  const shared = new SharedLessons(new MemoryStorage());
+  const lesson = lessonWith(taskWith({ name: "One" }), taskWith({ name: "Two" }));
+  const draft = new LessonDraft(lesson, new Map(), (each) => shared.has(each));
   return {
     draft,
+    shared,
     state: () => draft.store.getState(),
     names: () => draft.lesson.tasks.map(({ name }) => name),
   };
@@ -112,7 +118,7 @@ describe("a solved task", () => {
 
   it("gets the reference values of the solution, and stays solved", () => {
     const { draft, state } = open();
-    const solved = draft.startTrial("solve");
+    const solved = draft.startTrial();
     solved(draft.task, { lines: 3, ticks: 400, program });
     // 5.09 s, which the clock displays as 5.0.
     solved(draft.task, { lines: 2, ticks: 305, program });
@@ -120,37 +126,55 @@ describe("a solved task", () => {
     expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 2 });
   });
 
-  it.each(["solve", "try"] as const)(
-    "stays the same lesson when a teacher shows it again (%s), so that its codes stay valid",
-    (purpose) => {
-      const { draft, state } = open();
-      draft.startTrial("solve")(draft.task, { lines: 2, ticks: 305, program });
-      const shared = lessonMark(draft.lesson);
-      draft.startTrial(purpose)(draft.task, { lines: 5, ticks: 900, program });
-      expect(lessonMark(draft.lesson)).toBe(shared);
-      expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 5 });
-    },
-  );
+  it("gets the reference values of the first program, also after a drive by hand", () => {
+    const { draft } = open();
+    draft.startTrial()(draft.task, { lines: 0, ticks: 302, program: null });
+    expect(draft.task.par).toBeNull();
+    draft.startTrial()(draft.task, { lines: 2, ticks: 305, program });
+    expect(draft.task.par).toEqual({ lines: 2, seconds: 5 });
+  });
 
-  it("stays the same lesson when a trial solves it first", () => {
+  it("stays the same lesson when its teacher solves it again, so that its codes stay valid", () => {
     const { draft, state } = open();
+    draft.startTrial()(draft.task, { lines: 2, ticks: 305, program });
     const shared = lessonMark(draft.lesson);
-    draft.startTrial("try")(draft.task, { lines: 2, ticks: 305, program });
+    draft.startTrial()(draft.task, { lines: 5, ticks: 900, program });
     expect(lessonMark(draft.lesson)).toBe(shared);
+    expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 5 });
+  });
+
+  it("stays the same lesson when it is solved after students received it", () => {
+    const { draft, state, shared } = open();
+    // Students do not receive a blank hint.
+    draft.editTask({ words: { ...draft.task.words, hints: [" "] } });
+    shared.add(withoutBlankTexts(draft.lesson));
+    const mark = lessonMark(draft.lesson);
+    const solved = draft.startTrial();
+    for (const task of draft.lesson.tasks) solved(task, { lines: 2, ticks: 305, program });
+    expect(lessonMark(draft.lesson)).toBe(mark);
     expect(solutionOf(state().solutions, draft.task)).not.toBeNull();
+  });
+
+  it("gets reference values again once its teacher edits the shared lesson", () => {
+    const { draft, shared } = open();
+    shared.add(draft.lesson);
+    draft.edit({ name: "Another" });
+    const solved = draft.startTrial();
+    for (const task of draft.lesson.tasks) solved(task, { lines: 2, ticks: 305, program });
+    expect(draft.lesson.tasks.map(({ par }) => par?.lines)).toEqual([2, 2]);
   });
 
   it("gets new reference values after an edit", () => {
     const { draft } = open();
-    draft.startTrial("solve")(draft.task, { lines: 2, ticks: 305, program });
+    draft.startTrial()(draft.task, { lines: 2, ticks: 305, program });
     draft.setMaze({ ...corridor, goals: [{ column: 4, row: 1 }] });
-    draft.startTrial("solve")(draft.task, { lines: 1, ticks: 245, program });
+    draft.startTrial()(draft.task, { lines: 1, ticks: 245, program });
     expect(draft.task.par).toEqual({ lines: 1, seconds: 4 });
   });
 
   it("is not solved after an edit of its maze, until undo", () => {
     const { draft, state } = open();
-    draft.startTrial("solve")(draft.task, { lines: 0, ticks: 302, program: null });
+    draft.startTrial()(draft.task, { lines: 0, ticks: 302, program: null });
     expect(draft.task.par).toBeNull();
     draft.setMaze({ ...corridor, goals: [{ column: 4, row: 1 }] });
     expect(solutionOf(state().solutions, draft.task)).toBeNull();

@@ -10,6 +10,7 @@ import {
 } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { withoutBlankTexts } from "../../../model/teaching/blank-texts.ts";
 import {
   contentMark,
   solutionOf,
@@ -50,8 +51,15 @@ export class LessonDraft {
   readonly store: StoreApi<DraftState>;
   /** edits with the same name form one step of the history, until the field is left */
   #group: string | null = null;
+  readonly #isShared: (lesson: LessonDocument) => boolean;
 
-  constructor(lesson: LessonDocument, solutions: Solutions = new Map()) {
+  /** @param isShared whether students may have a lesson */
+  constructor(
+    lesson: LessonDocument,
+    solutions: Solutions = new Map(),
+    isShared: (lesson: LessonDocument) => boolean = () => false,
+  ) {
+    this.#isShared = isShared;
     const taskIds = newTaskIds(lesson.tasks.length);
     const version = { lesson, taskIds, task: 0, maze: 0 };
     this.store = createStore<DraftState>()(() => ({
@@ -153,19 +161,20 @@ export class LessonDraft {
   }
 
   /**
-   * Starts a trial of the lesson as a student. Only a trial that solves the open task for the first
-   * time changes the lesson: its program sets the reference values of every task with this content.
-   * Any other would change the mark of a lesson that may be shared, without an edit, and with it
-   * the completion codes of its students.
+   * Starts a trial of the lesson as a student, or of its open task alone. The first program that
+   * solves a task sets the reference values of every task with this content. Later ones do not, nor
+   * does any in a lesson that students may have: it would change the mark of the lesson without an
+   * edit, and their completion codes would be those of another lesson.
    * @returns records that the teacher solved a task
    */
-  startTrial(purpose: "try" | "solve"): (task: LessonTask, solution: Solution) => void {
-    const isSolved = solutionOf(this.store.getState().solutions, this.task) !== null;
-    const setsPar = purpose === "solve" && !isSolved;
+  startTrial(): (task: LessonTask, solution: Solution) => void {
+    const { lesson, solutions: known } = this.store.getState();
+    const isShared = this.#isShared(withoutBlankTexts(lesson));
     return (task, solution) => {
       const { solutions } = this.store.getState();
       this.store.setState({ solutions: withSolution(solutions, task, solution) });
-      if (setsPar && solution.program !== null) this.#setPar(task, solution);
+      const isFirst = (solutionOf(known, task)?.program ?? null) === null;
+      if (isFirst && !isShared && solution.program !== null) this.#setPar(task, solution);
     };
   }
 

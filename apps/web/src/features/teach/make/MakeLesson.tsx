@@ -4,6 +4,7 @@ import { useEffect, useEffectEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { MAX_SAVED_LESSONS, SavedLessons } from "../../../model/teaching/saved-lessons.ts";
+import { SharedLessons } from "../../../model/teaching/shared-lessons.ts";
 import { DropView } from "../../../ui/DropView.tsx";
 import { ProblemNote } from "../../../ui/ProblemNote.tsx";
 import { lessonHash } from "../frame/teach-view.ts";
@@ -32,8 +33,14 @@ export function MakeLesson({ device, link }: MakeLessonProps) {
     else location.hash = lessonHash(begun.id);
   }
 
-  const beginning = useBeginning(task, (lesson) => follow(beginShared(lessons, lesson)));
-  const linked = useBeginning(task, (lesson) => follow(beginShared(lessons, lesson), true));
+  function open(lesson: LessonDocument, isShared: boolean, isLink = false): void {
+    // Students may have it, too.
+    if (isShared) new SharedLessons(device).add(lesson);
+    follow(beginShared(lessons, lesson), isLink);
+  }
+
+  const beginning = useBeginning(task, (lesson, isShared) => open(lesson, isShared));
+  const linked = useBeginning(task, (lesson, isShared) => open(lesson, isShared, true));
   const openLink = useEffectEvent((text: string) => void linked.openText(text));
   useEffect(() => {
     // The name of a first task is a text, so it waits until the texts are loaded.

@@ -21,16 +21,19 @@ export interface Beginning {
 
 /**
  * @param task name of the task in a shared maze
- * @param onOpened receives the lesson
+ * @param onOpened receives the lesson, and whether it was shared as it is, not made of a maze
  */
-export function useBeginning(task: string, onOpened: (lesson: LessonDocument) => void): Beginning {
+export function useBeginning(
+  task: string,
+  onOpened: (lesson: LessonDocument, isShared: boolean) => void,
+): Beginning {
   const [problem, setProblem] = useState<LessonProblem | null>(null);
   const [isOpening, setOpening] = useState(false);
 
-  function receive(opened: OpenedLesson): void {
+  function receive(opened: OpenedLesson, isShared: boolean): void {
     setOpening(false);
     setProblem(opened.ok ? null : { code: opened.code, problems: opened.problems });
-    if (opened.ok) onOpened(opened.lesson);
+    if (opened.ok) onOpened(opened.lesson, isShared);
   }
 
   return {
@@ -38,16 +41,22 @@ export function useBeginning(task: string, onOpened: (lesson: LessonDocument) =>
     isOpening,
     openText: async (text) => {
       setOpening(true);
-      receive(await readBeginning(text, task));
+      const { opened, isShared } = await readBeginning(text, task);
+      receive(opened, isShared);
     },
     openFiles: async ([file]) => {
-      if (file !== undefined) receive(await readLessonFile(file));
+      if (file !== undefined) receive(await readLessonFile(file), true);
     },
   };
 }
 
-async function readBeginning(text: string, task: string): Promise<OpenedLesson> {
+async function readBeginning(
+  text: string,
+  task: string,
+): Promise<{ opened: OpenedLesson; isShared: boolean }> {
   const shared = await readTyped(text);
   const lesson = shared.ok ? lessonOfMaze(shared.content, task) : null;
-  return lesson === null ? lessonOfShared(shared) : { ok: true, lesson };
+  return lesson === null
+    ? { opened: lessonOfShared(shared), isShared: true }
+    : { opened: { ok: true, lesson }, isShared: false };
 }

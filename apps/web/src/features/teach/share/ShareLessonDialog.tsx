@@ -3,6 +3,7 @@ import { parseLesson, type LessonDocument } from "@corridor/challenge";
 import { Info } from "lucide";
 import { useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { Button } from "../../../ui/Button.tsx";
 import { Dialog } from "../../../ui/Dialog.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
@@ -14,6 +15,8 @@ export interface ShareLessonDialogProps {
   lesson: LessonDocument;
   /** whether the teacher solved every task */
   isSolved: boolean;
+  /** localStorage */
+  device: KeyValueStorage;
   onSolve: () => void;
   onClose: () => void;
 }
@@ -22,6 +25,7 @@ export function ShareLessonDialog({
   isOpen,
   lesson,
   isSolved,
+  device,
   onSolve,
   onClose,
 }: ShareLessonDialogProps) {
@@ -73,7 +77,7 @@ export function ShareLessonDialog({
             </div>
           </>
         )}
-        {isShared && <ShareOptions lesson={lesson} />}
+        {isShared && <ShareOptions lesson={lesson} device={device} />}
       </div>
     </Dialog>
   );

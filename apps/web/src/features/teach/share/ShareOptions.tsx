@@ -1,9 +1,11 @@
 /** The ways to share a lesson: link, short link, QR code, other apps, Google Classroom, file. */
 import type { LessonDocument } from "@corridor/challenge";
 import { FileDown, GraduationCap } from "lucide";
-import { useId, useMemo } from "react";
+import { useEffect, useId, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { sharedSearch } from "../../../model/preferences/language.ts";
+import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
+import { SharedLessons } from "../../../model/teaching/shared-lessons.ts";
 import { useShortLink, type ShortLinkState } from "../../../model/use-short-link.ts";
 import { Button } from "../../../ui/Button.tsx";
 import { ButtonLink } from "../../../ui/ButtonLink.tsx";
@@ -32,13 +34,21 @@ const MAX_COMPACT_LENGTH = 250;
 /** A name, which is the same in all languages. */
 const CLASSROOM = "Google Classroom";
 
-/** @param lesson a valid lesson */
-export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
+interface ShareOptionsProps {
+  /** a valid lesson */
+  lesson: LessonDocument;
+  /** localStorage */
+  device: KeyValueStorage;
+}
+
+export function ShareOptions({ lesson, device }: ShareOptionsProps) {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   const fileProblem = useId();
   const excessText = useExcessText();
   const { document, link, excesses } = useMemo(() => shareSizesOf(lesson), [lesson]);
   const short = useShortLink(document);
+  // The teacher sees the link: students may have it from now on.
+  useEffect(() => new SharedLessons(device).add(lesson), [device, lesson]);
   const { origin, search } = location;
   const long = link === null ? null : `${origin}/${sharedSearch(search)}#${link}`;
   const made = short.link === null ? null : short.link.address + sharedSearch(search);

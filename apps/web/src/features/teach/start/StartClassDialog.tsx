@@ -17,6 +17,7 @@ import { Select } from "../../../ui/Select.tsx";
 import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
+import { SharedLessons } from "../../../model/teaching/shared-lessons.ts";
 import { study2013 } from "../lessons/study-2013.ts";
 import { unsolvedTasks } from "./unsolved-tasks.ts";
 import { shareSizesOf, type Excess } from "../share/share-sizes.ts";
@@ -95,6 +96,7 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
     const request = { lesson: started, names: pseudonyms, expected: count };
     const result = await startClass(request, (url, each) => fetch(url, each));
     if (!result.ok) return result.problem;
+    new SharedLessons(device).add(started);
     const { id, teacherKey, screenKey } = result.value;
     new OwnClasses(device, () => Date.now()).store({
       id,
