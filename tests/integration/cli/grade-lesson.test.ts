@@ -176,6 +176,11 @@ describe("grade --challenge", () => {
       message: "nowhere.json: document: found no file of this name, expected a readable file",
     },
     {
+      name: "a short link as the lesson",
+      args: ["--challenge", "https://corridor.example/m/abc", "--program", rightWall],
+      message: "with the text after #: a short link is not fetched",
+    },
+    {
       name: "a program as the lesson",
       args: ["--challenge", rightWall, "--program", rightWall],
       message: 'format: found "corridor/program", expected "corridor/challenge"',
