@@ -20,7 +20,7 @@ of the task, and every completion code against its task. Prints one line of JSON
 task, and a summary.
 
 Options:
-  --program FILE...   programs, such as submissions/*.json
+  --program FILE...   programs, such as submissions/*.json; with --challenge, also runs
   --maze FILE...      mazes, such as mazes/*.json
   --seconds N         maximum simulated time of a run, from 1/60 (one tick) to 86400; default: 300
   --until time        run for all seconds (default)

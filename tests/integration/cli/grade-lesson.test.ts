@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { lessonMark, lessonOf } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
+import { Recording } from "@corridor/recording";
 import { afterAll, describe, expect, it } from "vitest";
 import {
   programOf,
@@ -76,6 +77,19 @@ describe("grade --challenge", () => {
       { program: "line 3", task: null, passed: false, code: "unreadable" },
       { summary: { lines: 9, passed: 5, unreadable: 1 } },
     ]);
+  });
+
+  it("checks the program of a run file", () => {
+    const [maze] = sampleChallenge.mazes;
+    if (maze === undefined) throw new Error("no maze");
+    const recording = new Recording(maze, programOf("right-wall"));
+    for (let tick = 0; tick < 60; tick++) recording.step();
+    const written = recording.toDocument("Run");
+    if (!written.ok) throw new Error(written.reason);
+    const run = file("run.json", written.text);
+    const [fromRun] = rowsOf(["--challenge", challenge, "--program", run]);
+    const [fromProgram] = rowsOf(["--challenge", challenge, "--program", rightWall]);
+    expect(fromRun).toEqual({ ...(fromProgram as object), program: run });
   });
 
   it("reads a challenge of version 1 from a file, a link, and the text of a link", () => {

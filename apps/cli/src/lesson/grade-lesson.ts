@@ -17,13 +17,13 @@ import type { HandIn, HandInResult } from "@corridor/link";
 import { runOnAllCores, startWorkers, terminate } from "../all-cores.ts";
 import type { GradeOptions } from "../arguments.ts";
 import { InputError } from "../input-error.ts";
-import { readFiles, reasonOf } from "../read-files.ts";
+import { reasonOf } from "../read-files.ts";
 import { groupOutcomes, unitsOfChecks } from "./check-units.ts";
 import { junitReport } from "./junit-report.ts";
 import { lessonArguments, type LessonArguments } from "./lesson-arguments.ts";
 import { gradedLine, unreadableLine, type GradedLine } from "./lesson-lines.ts";
 import { jsonLines, lessonTable } from "./lesson-report.ts";
-import { readHandIns } from "./read-hand-ins.ts";
+import { readHandInFiles, readHandIns } from "./read-hand-ins.ts";
 import { readLessonFrom } from "./read-lesson.ts";
 
 interface NamedHandIn {
@@ -78,15 +78,14 @@ function tasksOf({ tasks }: LessonDocument, { unseen }: LessonArguments): Lesson
   return unseen === null ? tasks : tasks.map((task) => ({ ...task, unseen }));
 }
 
-/** Reads the program files, then the lines of the hand-ins. */
+/** Reads the files of programs and runs, then the lines of the hand-ins. */
 async function readAllHandIns(
   { programs: files, handIns }: LessonArguments,
   lesson: LessonDocument,
 ): Promise<NamedHandIn[]> {
-  const { programs } = readFiles({ mazes: [], programs: files });
-  const fromFiles = programs.map((attempt, at): NamedHandIn => ({
-    name: files[at] ?? "",
-    read: { ok: true, value: { attempt, task: null } },
+  const fromFiles = readHandInFiles(files).map(({ name, value }): NamedHandIn => ({
+    name,
+    read: { ok: true, value },
   }));
   const lines = handIns === null ? [] : await readHandIns(handIns, lesson);
   const fromLines = lines.map(({ line, read }): NamedHandIn => ({ name: `line ${line}`, read }));

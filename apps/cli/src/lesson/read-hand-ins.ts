@@ -1,10 +1,31 @@
-/** Reads the hand-ins of a class from a file: one link or completion code on each line. */
+/**
+ * Reads the hand-ins of a class: files of programs and runs, and a file with one link or completion
+ * code on each line.
+ */
 import type { LessonDocument } from "@corridor/challenge";
-import { handInsOf, type HandInLine } from "@corridor/link";
-import { describeProblem } from "@corridor/protocol";
+import { handInsOf, readHandInFile, type HandIn, type HandInLine } from "@corridor/link";
+import { describeProblem, type ReadResult } from "@corridor/protocol";
 import { InputError } from "../input-error.ts";
 import { MAX_BYTES, readFile } from "../read-files.ts";
 import { readUtf8 } from "../read-utf8.ts";
+
+/** Reads files of programs and runs. @throws InputError with every problem of every file */
+export function readHandInFiles(files: readonly string[]): { name: string; value: HandIn }[] {
+  const problems: string[] = [];
+  const handIns = files.flatMap((name) => {
+    const read = readFile(name, readAttempt);
+    if (read.ok) return [{ name, value: read.value }];
+    problems.push(...read.problems.map((each) => `${name}: ${describeProblem(each)}`));
+    return [];
+  });
+  if (problems.length > 0) throw new InputError(problems);
+  return handIns;
+}
+
+function readAttempt(text: string): ReadResult<HandIn> {
+  const read = readHandInFile(text);
+  return read.ok ? read : { ok: false, problems: [...read.problems] };
+}
 
 /**
  * Reads a file, or standard input for "-".
