@@ -115,7 +115,9 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const printed: PrintedContent = {
     language: mission === null ? (shared?.language ?? null) : null,
     mazes:
-      shared === null ? [{ maze, name: maze.name, task: t("program.goal") }] : printedMazes(shared),
+      shared === null
+        ? [{ maze, name: maze.name, task: t("program.goal"), lines: null }]
+        : printedMazes(shared),
     link: isTooLong ? null : printedLink(shown, link),
   };
   // A long run does not belong in an address bar, and the bar already shows the address of a

@@ -153,18 +153,19 @@ function WorksheetPrint({ content, mazes, paper }: WorksheetPrintProps) {
   const { language, link } = content;
   const [first] = mazes;
   if (first === undefined) return null;
-  const pages = mazes.map(({ maze, name, task }, at) => (
+  const pages = mazes.map(({ maze, name, task, lines }, at) => (
     <Worksheet
       key={at}
       maze={maze}
       name={name || maze.name}
       task={task}
       language={language}
+      mostLines={lines}
       link={link}
       paper={paper}
     />
   ));
-  const { isLandscape, sheet } = layOutWorksheet(sizeOf(first.maze), paper);
+  const { isLandscape, sheet } = layOutWorksheet(sizeOf(first.maze), paper, first.lines);
   return (
     <div className={styles["result"]}>
       <div

@@ -18,15 +18,22 @@ interface WorksheetProps {
   task: string;
   /** of the teacher's texts; null: that of the page */
   language: string | null;
+  /** see `layOutWorksheet` */
+  mostLines: number | null;
   /** for the QR code; null without one */
   link: string | null;
   paper: PaperName;
 }
 
-export function Worksheet({ maze, name, task, language, link, paper }: WorksheetProps) {
+export function Worksheet(props: WorksheetProps) {
+  const { maze, name, task, language, mostLines, link, paper } = props;
   const { t, i18n } = useTranslation(["print", "words"], { useSuspense: false });
   const { columns, rows } = sizeOf(maze);
-  const { isLandscape, sheet, square, lines } = layOutWorksheet({ columns, rows }, paper);
+  const { isLandscape, sheet, square, lines } = layOutWorksheet(
+    { columns, rows },
+    paper,
+    mostLines,
+  );
   const code = link === null ? null : qrPath(link);
   const [width, height] = [columns * square, rows * square];
   return (

@@ -15,12 +15,14 @@ export interface PrintedMaze {
   /** heading of the worksheet; may be empty */
   name: string;
   task: string;
+  /** most lines of a program, without "otherwise"; null: any number */
+  lines: number | null;
 }
 
 /** All given mazes of a lesson, each with its task. */
 export function printedMazes({ tasks }: LessonDocument): PrintedMaze[] {
-  return tasks.flatMap(({ name, words, mazes }) =>
-    mazes.map((maze) => ({ maze, name, task: words.task })),
+  return tasks.flatMap(({ name, words, mazes, allowed }) =>
+    mazes.map((maze) => ({ maze, name, task: words.task, lines: allowed.lines })),
   );
 }
 

@@ -8,7 +8,7 @@ describe("a worksheet", () => {
     { columns: 33, rows: 5, isLandscape: true },
   ])("shows a maze of $columns by $rows as large as it can", ({ isLandscape, ...maze }) => {
     for (const paper of ["a4", "letter"] as const) {
-      expect(layOutWorksheet(maze, paper).isLandscape).toBe(isLandscape);
+      expect(layOutWorksheet(maze, paper, null).isLandscape).toBe(isLandscape);
     }
   });
 
@@ -20,10 +20,19 @@ describe("a worksheet", () => {
       [1_000, 3],
       [3, 1_000],
     ] as const) {
-      const { sheet, square, lines } = layOutWorksheet({ columns, rows }, "letter");
+      const { sheet, square, lines } = layOutWorksheet({ columns, rows }, "letter", null);
       expect(lines).toBeGreaterThanOrEqual(4);
       expect(square * columns).toBeLessThan(sheet.width);
       expect(square * rows + lines * LINE_HEIGHT).toBeLessThan(sheet.height);
     }
+  });
+
+  it.each([
+    { most: 3, lines: 4 },
+    { most: 0, lines: 1 },
+    { most: 200, lines: 10 },
+    { most: null, lines: 10 },
+  ])("has $lines lines where the task allows $most and one for otherwise", ({ most, lines }) => {
+    expect(layOutWorksheet({ columns: 9, rows: 4 }, "a4", most).lines).toBe(lines);
   });
 });

@@ -17,13 +17,18 @@ export interface WorksheetLayout {
   sheet: Size;
   /** side of a square, in millimetres */
   square: number;
+  /** to write on; the last one is "otherwise" */
   lines: number;
 }
 
-/** Upright or on its side, whichever shows the larger maze. */
+/**
+ * Upright or on its side, whichever shows the larger maze.
+ * @param mostLines lines of a program that the task allows; null: any number
+ */
 export function layOutWorksheet(
   { columns, rows }: { columns: number; rows: number },
   paper: PaperName,
+  mostLines: number | null,
 ): WorksheetLayout {
   const [upright, lying] = [false, true].map((isLandscape) => {
     const sheet = sheetOf(paper, isLandscape);
@@ -37,7 +42,9 @@ export function layOutWorksheet(
       (room.height - FEWEST_LINES * LINE_HEIGHT) / rows,
     );
     const free = Math.floor((room.height - square * rows) / LINE_HEIGHT);
-    const lines = Math.min(MOST_LINES, Math.max(FEWEST_LINES, free));
+    // "Otherwise" has a line, too.
+    const most = mostLines === null ? MOST_LINES : Math.min(MOST_LINES, mostLines + 1);
+    const lines = Math.min(most, Math.max(FEWEST_LINES, free));
     return { isLandscape, sheet, square, lines };
   }) as [WorksheetLayout, WorksheetLayout];
   return lying.square > upright.square ? lying : upright;
