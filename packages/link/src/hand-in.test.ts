@@ -83,6 +83,13 @@ describe("hand-ins", () => {
     });
   });
 
+  it("name the lesson of a code by its mark", () => {
+    const mark = lessonMark({ ...lesson, name: "Other" });
+    const code = linkOf({ completion: { lesson: mark, task: 0, attempt: program } });
+    const problems = [{ path: "lesson", found: mark, expected: lessonMark(lesson) }];
+    expect(handInsOf(code, lesson)).toMatchObject({ value: [{ read: { problems } }] });
+  });
+
   it("have the number of their line, and blank lines are ignored", () => {
     const read = handInsOf(`\n  \n${text}\nx\n\n${text}\n`, lesson);
     const lines = read.ok ? read.value.map(({ line }) => line) : [];

@@ -32,7 +32,7 @@ export type HandInRefusal =
 export interface RefusedHandIn {
   ok: false;
   code: HandInRefusal;
-  /** the problems of a link or a document */
+  /** the problems of a link or a document; the marks of both lessons for "other-lesson" */
   problems: readonly FieldProblem[];
   /** all of it in one English sentence */
   problem: string;
@@ -94,7 +94,8 @@ function readCode(
 ): HandInResult {
   if (lesson !== mark) {
     const text = "Not checked: this code belongs to another lesson";
-    return { ok: false, code: "other-lesson", problems: [], problem: text };
+    const problems = [{ path: "lesson", found: lesson, expected: mark }];
+    return { ok: false, code: "other-lesson", problems, problem: text };
   }
   if (task >= tasks) {
     const text = `Not checked: this code belongs to task ${task + 1}, the lesson has ${tasks}`;

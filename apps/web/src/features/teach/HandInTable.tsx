@@ -1,19 +1,34 @@
 /** The results of the hand-ins, one row for each hand-in and task. */
 import { FileDown } from "lucide";
+import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import type { SavedLessons } from "../../model/teaching/saved-lessons.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { saveFile } from "../../ui/save-file.ts";
 import type { HandInCheck } from "./check-hand-ins.ts";
 import { HandInTableRow } from "./HandInTableRow.tsx";
 import { handInsCsv } from "./hand-ins-csv.ts";
+import { otherLessonNames } from "./other-lesson-names.ts";
 import styles from "./hand-in-table.module.css";
 
-export function HandInTable({ check }: { check: HandInCheck }) {
+interface HandInTableProps {
+  check: HandInCheck;
+  /** lessons of this device, whose codes may be among the hand-ins */
+  lessons: Pick<SavedLessons, "list">;
+}
+
+export function HandInTable({ check, lessons }: HandInTableProps) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const rows = useStore(check.store, (state) => state.rows);
   const isRunning = useStore(check.store, ({ state }) => state === "running");
+  // Rows of unreadable hand-ins are there from the beginning of a check.
+  const lessonNames = useMemo(
+    () => otherLessonNames(check.store.getState().rows, lessons),
+    // oxlint-disable-next-line react/exhaustive-deps -- once for each check
+    [check, lessons, isRunning],
+  );
   if (rows.length === 0) return null;
   const tasks = new Set(rows.map(({ checked }) => (checked.ok ? checked.task.number : null)));
   tasks.delete(null);
@@ -48,6 +63,7 @@ export function HandInTable({ check }: { check: HandInCheck }) {
               key={`${row.number} ${row.checked.ok ? row.checked.task.number : ""}`}
               row={row}
               hasTasks={hasTasks}
+              lessonNames={lessonNames}
             />
           ))}
         </tbody>

@@ -23,9 +23,11 @@ interface HandInTableRowProps {
   row: HandInRow;
   /** whether the table has a column for the task */
   hasTasks: boolean;
+  /** of other lessons, by their marks */
+  lessonNames: ReadonlyMap<string, string>;
 }
 
-export function HandInTableRow({ row, hasTasks }: HandInTableRowProps) {
+export function HandInTableRow({ row, hasTasks, lessonNames }: HandInTableRowProps) {
   const { t, i18n } = useTranslation("teach", { useSuspense: false });
   const { number, sameAs, checked } = row;
   return (
@@ -67,7 +69,7 @@ export function HandInTableRow({ row, hasTasks }: HandInTableRowProps) {
         </>
       ) : (
         <td className={styles["problem"]} colSpan={5}>
-          {problemSentence(t, checked)}
+          {problemSentence(t, checked, lessonNames)}
         </td>
       )}
       <td className={styles["figure"]} data-label={t("table.sameAs")}>

@@ -29,6 +29,7 @@ interface HandInsProps {
 export function HandIns({ device, saved }: HandInsProps) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const { work, check } = useWork(device);
+  const [lessons] = useState(() => new SavedLessons(device));
   const hasLesson = useStore(work.store, ({ lesson }) => lesson !== null);
   const takeText = (text: string): void => {
     if (hasLesson && !looksLikeLesson(text)) work.addLines(text);
@@ -36,11 +37,11 @@ export function HandIns({ device, saved }: HandInsProps) {
   };
   useEffect(() => {
     if (saved === null) return;
-    const lesson = new SavedLessons(device).read(saved)?.lesson;
+    const lesson = lessons.read(saved)?.lesson;
     if (lesson !== undefined) work.openLesson(lesson);
     // A reload continues with the stored work.
     location.replace(HAND_INS_HASH);
-  }, [work, device, saved]);
+  }, [work, lessons, saved]);
   return (
     <DropView
       title={t("handIns.title")}
@@ -51,7 +52,7 @@ export function HandIns({ device, saved }: HandInsProps) {
       {hasLesson ? <OpenLesson work={work} /> : <LessonOpener work={work} />}
       {hasLesson && <HandInFields work={work} />}
       {hasLesson && <CheckProgress check={check} />}
-      {hasLesson && <HandInTable check={check} />}
+      {hasLesson && <HandInTable check={check} lessons={lessons} />}
     </DropView>
   );
 }
