@@ -184,6 +184,11 @@ export const relayToTeacherSchema = z.discriminatedUnion("type", [
   z.strictObject({ type: z.literal("settings"), n: countSchema, settings: classSettingsSchema }),
   /** replaces missed events: read the class with `GET /classes/ID` */
   z.strictObject({ type: z.literal("gap"), n: countSchema }),
+  /**
+   * the priority of what the big screens show now, if a dashboard has replaced it; null: its
+   * dashboard has closed, and any content replaces it
+   */
+  z.strictObject({ type: z.literal("displayed"), priority: z.int().nullable() }),
   refused,
   heartbeat,
 ]);

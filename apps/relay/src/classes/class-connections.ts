@@ -18,7 +18,7 @@ import { Refusal, retryAfter } from "../platform/errors/problems.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { MessageRates } from "../platform/limits/message-rates.ts";
 import type { Clock } from "../platform/time/clock.ts";
-import { BigScreens, type DisplayContent, type ScreenMember } from "./big-screens.ts";
+import { BigScreens, type ScreenController, type ScreenMember } from "./big-screens.ts";
 import { ClassEvents } from "./class-events.ts";
 import { nameOf, settingsOf, type ClassState } from "./class-state.ts";
 import { CreditedFeed } from "./credited-feed.ts";
@@ -43,8 +43,6 @@ interface Dashboard {
   connection: MemberConnection<RelayToTeacher>;
   tiles: CreditedFeed<ReadonlySet<number>>;
   watched: number | null;
-  /** of its newest content for the big screens; null: none */
-  priority: number | null;
 }
 
 export interface StudentMember {
@@ -54,15 +52,9 @@ export interface StudentMember {
   leave(): void;
 }
 
-export interface TeacherMember {
+export interface TeacherMember extends ScreenController {
   /** Receives the tiles of a student more often. @throws Refusal no-student */
   watch(student: number | null): void;
-  /**
-   * Replaces what the big screens show.
-   * @param priority it does not replace content of another dashboard with a higher one; null: it
-   * replaces any content, and any content replaces it
-   */
-  display(content: DisplayContent, priority: number | null): void;
   seen(seq: number): void;
   leave(): void;
 }
@@ -93,7 +85,12 @@ export class ClassConnections {
     this.#state = state;
     this.#notify = notify;
     this.#events = new ClassEvents(clock, state);
-    this.#screens = new BigScreens(clock);
+    this.#screens = new BigScreens({
+      clock,
+      notify: (message) => {
+        if (!this.#others.isEmpty) notify(message);
+      },
+    });
     this.#others = new OtherRelays({
       clock,
       notify,
@@ -174,7 +171,6 @@ export class ClassConnections {
     const dashboard: Dashboard = {
       connection,
       watched: null,
-      priority: null,
       tiles: new CreditedFeed({
         clock: this.#clock,
         intervalMs: () =>
@@ -187,21 +183,21 @@ export class ClassConnections {
       }),
     };
     for (const message of this.#events.first(since)) connection.send(message);
+    const screens = this.#screens.control((priority) =>
+      connection.send({ type: "displayed", priority }),
+    );
     this.#dashboards.add(dashboard);
     const { students } = this.#state();
     if (students.size > 0) dashboard.tiles.offer(new Set(students.keys()));
     this.#others.announce(true);
     return {
       watch: (student) => this.#watch(dashboard, student),
-      display: (content, priority) => {
-        dashboard.priority = priority;
-        this.#display(content, priority);
-      },
+      display: (content, priority) => screens.display(content, priority),
       seen: (seq) => dashboard.tiles.seen(seq),
       leave: () => {
         this.#watch(dashboard, null);
         this.#dashboards.delete(dashboard);
-        this.#releaseScreens(dashboard);
+        screens.leave();
         dashboard.tiles.close();
         this.#others.announce();
       },
@@ -287,7 +283,7 @@ export class ClassConnections {
       case "display":
         return this.#screens.received(message);
       case "released":
-        if (!this.#hasDashboardOf(message.priority)) this.#screens.release(message.priority);
+        return this.#screens.released(message.priority);
     }
   }
 
@@ -316,8 +312,8 @@ export class ClassConnections {
       const tile = this.#tiles.get(student);
       if (tile !== undefined) this.#others.tile(student, tile);
     }
-    const { content, priority } = this.#screens;
-    if (content !== null) this.#notify({ kind: "display", content, isNew: false, priority });
+    const { message } = this.#screens;
+    if (message !== null) this.#notify(message);
   }
 
   #othersChanged(students: ReadonlySet<number>): void {
@@ -367,24 +363,6 @@ export class ClassConnections {
     dashboard.tiles.intervalChanged();
     this.#updateWatched();
     this.#others.announce();
-  }
-
-  #display(content: DisplayContent, priority: number | null): void {
-    const isShown = this.#screens.show(content, priority);
-    if (!isShown || this.#others.isEmpty) return;
-    this.#notify({ kind: "display", content, isNew: true, priority });
-  }
-
-  /** A dashboard has closed: any other one may replace what it shows on the big screens. */
-  #releaseScreens({ priority }: Dashboard): void {
-    if (priority === null || this.#hasDashboardOf(priority)) return;
-    this.#screens.release(priority);
-    if (!this.#others.isEmpty) this.#notify({ kind: "released", priority });
-  }
-
-  /** Whether a device that has reconnected here sends content with this priority. */
-  #hasDashboardOf(priority: number): boolean {
-    return [...this.#dashboards].some((dashboard) => dashboard.priority === priority);
   }
 
   /** Notifies students whom a dashboard at any relay starts or stops to watch. */

@@ -190,6 +190,23 @@ export function twoRelaysCases(
       });
     });
 
+    it("notifies a dashboard that the screens show content of one at the other relay, until it closes", async () => {
+      const { a, b, teacher } = await classAtTwoRelays(await open());
+      const laptop = await teacher(a);
+      const phone = await teacher(b);
+      const displayed = () =>
+        laptop.sent.flatMap((message) => (message.type === "displayed" ? [message.priority] : []));
+      laptop.display({ solved: 1 }, 5);
+      await eventually(() => expect(displayed()).toEqual([5]));
+      await eventually(() => {
+        phone.display({ solved: 2 }, 6);
+        expect(displayed()).toEqual([5, 6]);
+      });
+      expect((await teacher(a)).sent).toContainEqual({ type: "displayed", priority: 6 });
+      phone.leave();
+      await eventually(() => expect(displayed()).toEqual([5, 6, null]));
+    });
+
     it("closes the first tab of a student when a second one connects to the other relay", async () => {
       const { a, b, join, student, teacher } = await classAtTwoRelays(await open());
       const ada = await join(a);

@@ -339,6 +339,32 @@ describe("a big screen's socket", () => {
     expect(await next()).toEqual({ solved: 5 });
   });
 
+  it("belongs to one dashboard at a time, and all dashboards know which priority it shows", async () => {
+    const { room } = await classWith(1);
+    const [laptop, phone] = [await room.teacher(), await room.teacher()];
+    const show = (from: typeof laptop, priority?: number): void =>
+      from.socket.send({ type: "display", content: {}, priority });
+    const expectDisplayed = async (priority: number | null, ...dashboards: (typeof laptop)[]) => {
+      for (const { socket } of dashboards)
+        expect(await socket.next("displayed")).toEqual({ type: "displayed", priority });
+    };
+    show(laptop, 5);
+    await expectDisplayed(5, laptop, phone);
+    // Neither lower content nor more of the same device changes it.
+    show(phone, -9);
+    show(laptop, 5);
+    show(phone, 6);
+    await expectDisplayed(6, laptop, phone);
+    const late = await room.teacher();
+    await expectDisplayed(6, late);
+    phone.socket.close();
+    await expectDisplayed(null, laptop, late);
+    // Content without a priority controls nothing.
+    show(laptop);
+    show(late, 7);
+    await expectDisplayed(7, laptop, late);
+  });
+
   it("connects with dashboards up to a limit of 4", async () => {
     const { room } = await classWith(1);
     for (let n = 0; n < 2; n++) await Promise.all([room.teacher(), room.screen()]);

@@ -155,6 +155,7 @@ export const classMessageExamples: {
     removed: { type: "removed", n: 19, student },
     settings: { type: "settings", n: 20, settings },
     gap: { type: "gap", n: 20 },
+    displayed: { type: "displayed", priority: 1_767_225_600_000 },
     problem: badMessage,
     heartbeat: { type: "heartbeat" },
   },

@@ -9,7 +9,8 @@ const STUDENT_ORDER = `1. Send \`hello\` with the role \`learn\`. The relay resp
 const DASHBOARD_ORDER = `1. Send \`hello\` with the role \`teach\`. The relay responds with \`welcome\`, followed by the missed events or a \`gap\`.
 2. At any time, receive \`tiles\`, which you acknowledge with \`seen\`, and the events \`student\`, \`removed\` and
    \`settings\`, numbered without gaps.
-3. At any time, send \`watch\`, \`hint\` and \`display\`.`;
+3. At any time, send \`watch\`, \`hint\` and \`display\`. Receive \`displayed\` when another dashboard controls the
+   big screens.`;
 
 const BIG_SCREEN_ORDER = `1. Send \`hello\` with the role \`show\`. The relay responds with \`welcome\`.
 2. At any time, receive \`display\`, which you acknowledge with \`seen\`, \`code\` and \`lesson\`.`;
@@ -122,6 +123,8 @@ ${closeCodes({
       removed: "A student was removed.",
       settings: "The code, lock, pause, pace or lesson has changed.",
       gap: "Replaces events that are no longer stored. Read the class with `GET /classes/ID`.",
+      displayed:
+        "The `priority` of what the big screens show now, after another dashboard has replaced it. Null: its dashboard has closed, and any content replaces it.",
       problem: REJECTED,
       heartbeat: HEARTBEAT,
     },

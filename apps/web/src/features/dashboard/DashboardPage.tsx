@@ -1,5 +1,5 @@
 /** The dashboard: the whole class on one page. */
-import { useEffect, useMemo, useState, type ReactNode } from "react";
+import { useCallback, useEffect, useMemo, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
@@ -52,7 +52,8 @@ export function DashboardPage(props: DashboardPageProps) {
   /** whose run is on the big screens */
   const [screened, setScreened] = useState<number | null>(null);
   const [raceChoice, setRaceChoice] = useState<RaceChoice | null>(null);
-  useScreens(dashboard, screened, raceChoice);
+  const endRun = useCallback(() => setScreened(null), []);
+  useScreens(dashboard, { student: screened, race: raceChoice, onRunEnd: endRun });
   const [refusal, report] = useState<ClassRefusal | null>(null);
   const status = useStore(dashboard.store, (state) => state.status.kind);
   const lesson = useStore(dashboard.store, (state) => state.lesson);

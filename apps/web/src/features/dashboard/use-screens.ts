@@ -13,28 +13,36 @@ import { ScreenPriority } from "../../model/classroom/screen-priority.ts";
 import { openTask } from "../../model/classroom/standing.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
-/**
- * @param student whose run is on the big screens; null: none
- * @param choice the maze of the race
- */
-export function useScreens(
-  dashboard: Dashboard,
-  student: number | null,
-  choice: RaceChoice | null,
-): void {
+interface ScreensChoice {
+  /** whose run is on the big screens; null: none */
+  student: number | null;
+  /** the maze of the race */
+  race: RaceChoice | null;
+  /** Another device controls the big screens: they do not show the run of that student any more. */
+  onRunEnd: () => void;
+}
+
+export function useScreens(dashboard: Dashboard, { student, race, onRunEnd }: ScreensChoice): void {
   const [priorities] = useState(() => new ScreenPriority());
   useEffect(() => {
+    const endRun = (): void => {
+      if (student === null || !priorities.isLost(dashboard.store.getState().displayed)) return;
+      priorities.endRun();
+      onRunEnd();
+    };
     const send = (): void => {
       const state = dashboard.store.getState();
-      const numbers = numbersOf(state, choice);
+      const numbers = numbersOf(state, race);
       const program = student === null ? null : programOf(state, student);
       if (numbers === null) return;
       const now = Date.now() - (state.classroom?.time.ahead ?? 0);
-      const priority = priorities.of({ student, race: choice, task: state.chosenTask }, now);
+      const choices = { student, race, task: state.chosenTask };
+      const priority = priorities.of(choices, now, state.displayed);
       dashboard.send({ type: "screens", numbers, student, program, priority });
     };
     send();
     return dashboard.store.subscribe((state, before) => {
+      if (state.displayed !== before.displayed) endRun();
       const isSame =
         state.students === before.students &&
         state.verifications === before.verifications &&
@@ -45,7 +53,7 @@ export function useScreens(
         state.chosenTask === before.chosenTask;
       if (!isSame) send();
     });
-  }, [dashboard, student, choice, priorities]);
+  }, [dashboard, student, race, onRunEnd, priorities]);
 }
 
 /** The program of the open task as a link text; null: not known, or a drive */

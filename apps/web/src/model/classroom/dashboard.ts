@@ -52,6 +52,8 @@ export interface DashboardState {
   sorting: Sorting;
   /** number of the task of the results; null: the teacher has chosen none */
   chosenTask: number | null;
+  /** priority of what the big screens show; null: of no dashboard that is open */
+  displayed: number | null;
   /** ms since 1970 at the last update */
   now: number;
 }
@@ -97,6 +99,7 @@ export class Dashboard {
       order: { order: [], changedAt: 0, waiting: 0 },
       sorting: "help",
       chosenTask: null,
+      displayed: null,
       now: ports.now(),
     }));
   }
@@ -133,6 +136,8 @@ export class Dashboard {
       }
       case "bumps":
         return this.store.setState({ bumps: message.bumps });
+      case "displayed":
+        return this.store.setState({ displayed: message.priority });
     }
   }
 

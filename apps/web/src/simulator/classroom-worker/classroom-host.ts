@@ -149,6 +149,8 @@ export class ClassroomHost {
         if (this.#queued === null) void this.#read();
         else this.#isOutdated = true;
         return;
+      case "displayed":
+        return this.#ports.post(message);
       case "problem":
         return;
     }

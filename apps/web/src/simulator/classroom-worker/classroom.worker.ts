@@ -25,7 +25,9 @@ const screens = new ScreenFeed({
 });
 
 function post(message: FromClassroom): void {
-  if (message.type === "status" && message.status.kind === "connected") screens.repeat();
+  const isNew = message.type === "status" && message.status.kind === "connected";
+  const isFree = message.type === "displayed" && message.priority === null;
+  if (isNew || isFree) screens.repeat();
   if (message.type === "lesson") painter.setLesson(message.lesson);
   worker.postMessage(message);
 }

@@ -44,7 +44,7 @@ export class ScreenFeed {
     if (this.#student !== null && students.includes(this.#student)) this.#send();
   }
 
-  /** A new connection: the relay may not have the content. */
+  /** A new connection, or the dashboard in control has closed: the relay may not have the content. */
   repeat(): void {
     this.#sent = "";
     this.#send();

@@ -173,4 +173,6 @@ export type FromClassroom =
   | { type: "state"; state: ClassroomState }
   | { type: "lesson"; lesson: LessonDocument; version: string }
   | { type: "students"; changed: readonly SeenStudent[]; removed: readonly number[] }
-  | { type: "bumps"; bumps: readonly CountedBump[] };
+  | { type: "bumps"; bumps: readonly CountedBump[] }
+  /** priority of what the big screens show; null: nothing, or of a dashboard that has closed */
+  | { type: "displayed"; priority: number | null };
