@@ -1,10 +1,13 @@
 /** How the lesson of a class ends: its report, and the links of its dashboard. */
 import { readFile } from "node:fs/promises";
+import { lessonMark } from "@corridor/challenge";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import type { Page } from "playwright/test";
 import { shownCode } from "../apps/web/src/model/classes/shown-code.ts";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
+import { lessonTask } from "./support/lesson-task.ts";
 import {
   cardOf,
   claim,
@@ -27,6 +30,8 @@ test("the report opens during the lesson, which ends with one, or leads to it, a
     endWithReport(page, relay));
   await test.step("a lesson that ended without a saved report still leads to it", () =>
     endWithoutReport(page, relay));
+  await test.step("each lesson of one class has its own report, on the device and as a file", () =>
+    saveTwoLessons(page, relay));
   pageErrors.ignoreFailedRequests();
   await test.step("links of the dashboard: with the keys, without one, and with that of another class", () =>
     openLinks(page, relay));
@@ -102,6 +107,58 @@ async function endWithoutReport(page: Page, relay: string): Promise<void> {
   await page.getByRole("button", { name: "Open the report" }).click();
   await expect(page).toHaveURL(/\/teach#report=[\w-]+$/);
   await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toHaveCount(2);
+  student.close();
+}
+
+/** A class whose teacher sends a second lesson, and saves a report of each. */
+async function saveTwoLessons(page: Page, relay: string): Promise<void> {
+  const teacher = await openDashboard(page, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.report(opened);
+  student.report(claim());
+  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
+  const save = async (): Promise<[string, string]> => {
+    await page.getByRole("main").getByRole("button", { name: "End lesson" }).click();
+    const download = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Save report" }).click();
+    const saved = await download;
+    await page.keyboard.press("Escape");
+    return [saved.suggestedFilename(), await readFile(await saved.path(), "utf8")];
+  };
+  const [firstName, first] = await save();
+  const second = lessonOfTasks("Two lines", [lessonTask("Straight on", [])]);
+  await teacher.direct("PUT", "/lesson", second);
+  await expect(page.getByRole("heading", { name: "Two lines" })).toBeVisible();
+  student.report({ kind: "opened", lesson: lessonMark(second), task: 1 });
+  student.bump(0);
+  await expect(cardOf(page, student)).toHaveAccessibleName(/, 1 attempt$/);
+  const [secondName, csv] = await save();
+  expect([firstName, secondName]).toEqual([
+    expect.stringMatching(/^one-line-/),
+    expect.stringMatching(/^two-lines-/),
+  ]);
+  expect(first).toMatch(new RegExp(`^${nameOf(student)},One line,\\d+,1,0,0,0,0,0,0$`, "m"));
+  expect(csv).toMatch(new RegExp(`^${nameOf(student)},Straight on,,,1,1,1,0,0,0$`, "m"));
+  expect(csv).not.toContain("One line");
+
+  // Both stay after the class, each with its own results.
+  await page.getByRole("main").getByRole("button", { name: "End lesson" }).click();
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
+  const open = async (lesson: string): Promise<void> => {
+    await page.goto("about:blank");
+    await page.goto("/teach#report");
+    await page
+      .getByRole("link", { name: `Open the report “${lesson}”` })
+      .first()
+      .click();
+    await expect(page.getByRole("heading", { name: lesson, exact: true }).first()).toBeVisible();
+  };
+  await open("One line");
+  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toHaveCount(2);
+  await open("Two lines");
+  await expect(page.getByRole("row", { name: /^Straight on 0 of 1/ })).toBeVisible();
+  await expect(page.getByRole("row", { name: /^One line/ })).toHaveCount(0);
   student.close();
 }
 
