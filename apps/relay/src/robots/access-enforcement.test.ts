@@ -27,7 +27,10 @@ function withReaders({ hasPage = true } = {}) {
     subscribers,
     ownership: { page },
     recall: { askAgain: async () => void seen.push("page asked to end commands") },
-    presence: { blockedChanged: () => void seen.push("page shows permissions") },
+    presence: {
+      blockedChanged: () => void seen.push("page shows permissions"),
+      keyRevoked: (hash) => void seen.push(`scripts of ${hash} deleted`),
+    },
     channel: { rightsChanged: () => void seen.push("other relays read permissions") },
     clocks: { revoked: (hash) => void seen.push(`clocks of ${hash} deleted`) },
   });
@@ -44,6 +47,7 @@ it("disconnects all users of a revoked key and has their commands ended", () => 
     "clocks of first deleted",
     "Anna disconnected: revoked",
     "Anna again disconnected: revoked",
+    "scripts of first deleted",
     "page asked to end commands",
   ]);
 });

@@ -15,7 +15,7 @@ export interface AccessEnforcementParts {
   subscribers: Pick<Subscribers, "dismiss">;
   ownership: Pick<PageOwnership, "page">;
   recall: Pick<CommandRecall, "askAgain">;
-  presence: Pick<Presence, "blockedChanged">;
+  presence: Pick<Presence, "blockedChanged" | "keyRevoked">;
   channel: Pick<RobotChannel, "rightsChanged">;
   clocks: Pick<ScriptClocks, "revoked">;
 }
@@ -43,6 +43,7 @@ export class AccessEnforcement implements AccessListener {
   revoked({ hash }: StoredKey): void {
     this.#parts.clocks.revoked(hash);
     this.#parts.subscribers.dismiss((caller) => caller.hash === hash, "revoked");
+    this.#parts.presence.keyRevoked(hash);
     this.#askToEnd();
   }
 

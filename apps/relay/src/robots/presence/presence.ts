@@ -92,7 +92,10 @@ export class Presence {
     entry.connectedAt = now;
     // Immediately, because commands that the script held while disconnected may follow.
     this.#flush();
+    let isConnected = true;
     return () => {
+      if (!isConnected) return;
+      isConnected = false;
       entry.connections -= 1;
       this.#changed();
     };
@@ -113,6 +116,15 @@ export class Presence {
 
   /** Reports changed permissions immediately, because the owner has just pressed a button. */
   blockedChanged(): void {
+    this.#flush();
+  }
+
+  /** Deletes the scripts of a revoked key, because they cannot return. @param driver its hash */
+  keyRevoked(driver: string): void {
+    for (const { script } of this.#entries.values()) {
+      if (script.driver === driver) this.#entries.delete(script.id);
+    }
+    this.#newest = null;
     this.#flush();
   }
 

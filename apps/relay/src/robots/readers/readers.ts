@@ -52,7 +52,8 @@ export class Readers {
       seen: (seq) => feed.seen(seq),
       leave: () => {
         feed.close();
-        if (leave()) disconnected();
+        leave();
+        disconnected();
       },
     };
   }

@@ -74,10 +74,10 @@ export class Subscribers {
 
   /**
    * Adds the feed of a connected script or viewer.
-   * @returns a function that removes the feed; it returns false if the feed is already removed
+   * @returns a function that removes the feed
    * @throws Refusal too-many-readers, for this key or this robot
    */
-  join(listener: Listener, key: Caller, transport: ReaderTransport): () => boolean {
+  join(listener: Listener, key: Caller, transport: ReaderTransport): () => void {
     const ofKey = [...this.#entries].filter(
       (entry) => entry.transport !== "long-poll" && entry.key?.hash === key.hash,
     ).length;
@@ -164,7 +164,7 @@ export class Subscribers {
     this.#entries.clear();
   }
 
-  #add(listener: Listener, key: Caller | null, transport: ReaderTransport): () => boolean {
+  #add(listener: Listener, key: Caller | null, transport: ReaderTransport): () => void {
     // Viewers have a separate limit, so that they never exclude a script.
     const isWatcher = key?.kind === "watch";
     const alike = [...this.#entries].filter((entry) => (entry.key?.kind === "watch") === isWatcher);
@@ -177,6 +177,6 @@ export class Subscribers {
     }
     const entry = { listener, key, transport };
     this.#entries.add(entry);
-    return () => this.#entries.delete(entry);
+    return () => void this.#entries.delete(entry);
   }
 }

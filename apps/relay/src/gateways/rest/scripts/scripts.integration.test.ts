@@ -1,5 +1,6 @@
 import {
   BLOCKED_REASON,
+  createdKeySchema,
   PAUSED_REASON,
   scriptListSchema,
   blockedScriptSchema,
@@ -110,6 +111,23 @@ describe("the scripts of a robot", () => {
     expect(names).toEqual(["evil name", "x".repeat(40), "100 % mine", null]);
   });
 
+  it("are no longer listed when their key is revoked, because they cannot return", async () => {
+    const { relay, robot, scripts, as, socketOf } = await withRobot();
+    const socket = await socketOf("Anna");
+    await as("Ben", "/commands?after=0");
+    const replacement = {
+      method: "POST",
+      key: robot.ownerKey,
+      body: { kind: "drive", replace: true },
+    };
+    const { key } = createdKeySchema.parse(
+      await (await relay.ask(robot, "/keys", replacement)).json(),
+    );
+    expect((await socket.closed).code).toBe(4401);
+    await relay.ask(robot, "/sensors", { key, headers: { "Script-Name": "Clara" } });
+    expect(await scripts()).toMatchObject([{ name: "Clara" }]);
+  });
+
   it("are limited in memory, however many names they send", async () => {
     const { scripts, as } = await withRobot();
     for (let n = 0; n < 50; n++) await as(`script ${n}`, "/commands?after=0");
@@ -151,6 +169,7 @@ describe("a blocked script", () => {
     expect(await named("Anna")).toMatchObject({ isBlocked: true, connections: 0 });
 
     expect(await unblock(anna)).toBe(204);
+    expect(await named("Anna")).toMatchObject({ isBlocked: false, connections: 0 });
     expect((await as("Anna", "/commands", LEFT)).status).toBe(202);
     expect(await unblock(anna)).toBe(404);
   });
