@@ -24,7 +24,7 @@ import { SocketWithReasons } from "../websocket/socket-with-reasons.ts";
 import { WsPort } from "../websocket/ws-port.ts";
 import { RosConnection, type Admission } from "./ros-connection.ts";
 
-const PATH = /^\/r\/([^/?]{1,64})\/ros(?:\/([^/?]{1,128}))?(?:\?|$)/;
+const PATH = /^\/r\/([^/?]{1,64})\/ros(?:\/([^/?]{1,128}))?\/?(?:\?|$)/;
 const introduction: Introduction = { client: protocolClients.ros, name: null };
 
 export interface RosGatewayOptions {

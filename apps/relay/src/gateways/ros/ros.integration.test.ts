@@ -62,6 +62,17 @@ describe("a ROS client", () => {
     }
   });
 
+  it("connects by a URL with a slash at its end, with or without a key in the path", async () => {
+    const { relay, robot } = await reportedRobot();
+    const { key } = await makeKey(relay, robot, "drive", "url");
+    const url = `${relay.origin.replace("http", "ws")}/r/${robot.id}/ros/`;
+    const byPath = await RosClient.open(`${url}${key}/`);
+    const byHeader = await RosClient.open(url, { Authorization: `Bearer ${robot.driverKey}` });
+    for (const client of [byPath, byHeader]) {
+      expect(await client.call("rosapi/nodes")).toMatchObject({ result: true });
+    }
+  });
+
   it("is answered in text if it sends binary messages, as ROS# does", async () => {
     const { relay, robot } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
