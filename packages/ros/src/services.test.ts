@@ -15,6 +15,29 @@ describe("a service", () => {
     ]);
   });
 
+  it.each(["/stop", "/reset"])(
+    "%s answers before its client has waited 3 s, although its command has not ended",
+    async (service) => {
+      const client = await RosClient.connect();
+      const { port } = client;
+      const send = port.send.bind(port);
+      port.send = async (order) => {
+        await new Promise<void>((resolve) => void client.timers.after(400, resolve));
+        return send(order);
+      };
+      port.endOf = async (seq, milliseconds) => {
+        await new Promise<void>((resolve) => void client.timers.after(milliseconds, resolve));
+        return port.cancel(seq);
+      };
+      await client.send({ op: "call_service", id: 7, service });
+      await client.timers.pass(2_999);
+      const message = expect.stringMatching(/has not ended after 2\.5 s\.$/);
+      expect(client.frames).toMatchObject([
+        { id: 7, result: true, values: { success: false, message } },
+      ]);
+    },
+  );
+
   it("/static_map answers with the map", async () => {
     const client = await RosClient.connect();
     const answer = await client.call("static_map");

@@ -6,8 +6,8 @@ import type { Message } from "./read-message.ts";
 import type { RobotView } from "./robot-view.ts";
 import { RosError } from "./ros-error.ts";
 
-/** Clients wait this long for an answer. */
-const WAIT_MS = 3_000;
+/** Clients wait 3 s for an answer, which also takes its time on the network and in the store. */
+const WAIT_MS = 2_500;
 
 export interface ServiceParts {
   port: RobotPort;
