@@ -117,6 +117,14 @@ export class MotionRegister {
     return hasValue;
   }
 
+  /** The client sends nothing more: the newest value does not wait for a newer one. */
+  finish(): void {
+    if (this.#cancelTimer === null) return;
+    this.#cancelTimer();
+    this.#cancelTimer = null;
+    void this.#sendNext();
+  }
+
   close(): void {
     this.#isClosed = true;
     this.#cancelTimer?.();

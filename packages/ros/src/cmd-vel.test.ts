@@ -81,6 +81,20 @@ describe("/cmd_vel", () => {
     expect(powers(again)).toEqual([[1 / 2.61, 1 / 2.61]]);
   });
 
+  it("sends the value that waits when its client disconnects, unless the connection is lost", async () => {
+    const sentBy = async (end: "leave" | "close"): Promise<unknown> => {
+      const client = await RosClient.connect();
+      await client.drive(0.1);
+      await client.drive(0.2);
+      client.session[end]();
+      await client.timers.pass(1_000);
+      return powers(client);
+    };
+    const first = [0.1 / 2.61, 0.1 / 2.61];
+    expect(await sentBy("leave")).toEqual([first, [0.2 / 2.61, 0.2 / 2.61]]);
+    expect(await sentBy("close")).toEqual([first]);
+  });
+
   describe("of a stream that falls silent", () => {
     const publish = async (client: RosClient, x: number): Promise<void> =>
       client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x } } });

@@ -126,6 +126,13 @@ export class RosSession {
     return false;
   }
 
+  /** Closes the session of a client that closed its connection, and sends nothing more. */
+  leave(): void {
+    this.#velocity.finish();
+    this.close();
+  }
+
+  /** Closes the session. A velocity that waits is dropped, because it may be old. */
   close(): void {
     this.#isClosed = true;
     this.#cancelRetry();

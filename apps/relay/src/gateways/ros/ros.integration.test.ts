@@ -105,6 +105,18 @@ describe("a ROS client", () => {
     });
   });
 
+  it("drives by a single message, although it disconnects at once", async () => {
+    const { relay, robot, page } = await reportedRobot();
+    const client = await RosClient.connect(relay, robot);
+    client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: 0.261 } } });
+    client.close();
+    const { command, lease } = await page.next("command");
+    expect({ command, lease }).toMatchObject({
+      command: { action: "drive", left: 0.1 },
+      lease: 500,
+    });
+  });
+
   it("is in the owner's list as ROS, with the reason of the newest refused message", async () => {
     const { relay, robot } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
