@@ -25,7 +25,7 @@ describe("a service", () => {
         await new Promise<void>((resolve) => void client.timers.after(400, resolve));
         return send(order);
       };
-      port.endOf = async (seq, milliseconds) => {
+      port.endOf = async (seq: number, milliseconds = 0) => {
         await new Promise<void>((resolve) => void client.timers.after(milliseconds, resolve));
         return port.cancel(seq);
       };
