@@ -117,6 +117,11 @@ export class MotionRegister {
     return hasValue;
   }
 
+  /** Whether a command is one of the newest velocities. */
+  owns(seq: number): boolean {
+    return this.#own.has(seq);
+  }
+
   /** The client sends nothing more: the newest value does not wait for a newer one. */
   finish(): void {
     if (this.#cancelTimer === null) return;

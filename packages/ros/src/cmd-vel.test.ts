@@ -39,6 +39,30 @@ describe("/cmd_vel", () => {
     expect(powers(client).at(-1)).toEqual([0.3 / 2.61, 0.3 / 2.61]);
   });
 
+  it("says once why it moves nothing, until it moves again", async () => {
+    const client = await RosClient.connect();
+    await client.send({ op: "subscribe", topic: "/rosout" });
+    const publish = async (): Promise<void> => {
+      await client.drive(0.1);
+      await client.timers.pass(200);
+    };
+    const reason = "Remote is not driving: choose Remote on the robot's page.";
+    await publish();
+    client.port.end(1, { state: "cancelled", reason });
+    await publish();
+    client.port.end(2, { state: "cancelled", reason });
+    expect(client.problems).toEqual([reason]);
+    expect(client.received("/rosout")).toMatchObject([{ level: 40, msg: reason }]);
+
+    await publish();
+    client.port.end(3, { state: "started" });
+    client.port.end(3, { state: "cancelled", reason: "The lease ended." });
+    expect(client.problems).toHaveLength(1);
+    await publish();
+    client.port.end(4, { state: "cancelled", reason });
+    expect(client.problems).toEqual([reason, reason]);
+  });
+
   it("takes over from a goal, and from commands of others", async () => {
     const client = await RosClient.connect();
     const replaces = (): unknown => client.port.orders.at(-1)?.replace;

@@ -1,6 +1,7 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
 import {
   type CloseReason,
+  type CommandRecord,
   closeReasons,
   MotionRegister,
   RefusedError,
@@ -48,6 +49,10 @@ export class RosSession {
   readonly #subscriptions: Subscriptions;
   readonly #velocity: MotionRegister;
   readonly #goals: Goals;
+  /** the newest velocity that ran; null: none has */
+  #driven: number | null = null;
+  /** whether it was reported that velocities do not run, and none has run since */
+  #isIgnored = false;
   #isClosed = false;
   /** ends the wait until the maze is read again */
   #cancelRetry: () => void = () => undefined;
@@ -96,7 +101,10 @@ export class RosSession {
         this.#publish("snapshot");
         this.#goals.feedback();
       },
-      state: (record) => ends.state(record),
+      state: (record) => {
+        ends.state(record);
+        this.#velocityChanged(record);
+      },
       gap: (open) => ends.gap(open),
       maze: () => void this.#readMaze(),
       end: (error) => options.onEnd(error),
@@ -186,6 +194,22 @@ export class RosSession {
     const stampMs = isStamped ? stampMsOf(message) : null;
     const powers = wheelPowers({ linear: twist.linear.x, angular: twist.angular.z });
     this.#velocity.set({ action: "drive", ...powers }, stampMs);
+  }
+
+  /**
+   * A velocity has no answer: if one ends without having run, the reason goes to /rosout, once until
+   * another one runs.
+   */
+  #velocityChanged({ seq, state, reason }: CommandRecord): void {
+    if (!this.#velocity.owns(seq)) return;
+    if (state === "started") {
+      this.#driven = seq;
+      this.#isIgnored = false;
+    }
+    const isRefused = (state === "cancelled" || state === "expired") && seq !== this.#driven;
+    if (!isRefused || this.#isIgnored || reason === null) return;
+    this.#isIgnored = true;
+    this.#report(new RosError(reason));
   }
 
   #subscribe(request: Fields<"subscribe">): void {

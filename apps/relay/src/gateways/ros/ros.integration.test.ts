@@ -105,6 +105,18 @@ describe("a ROS client", () => {
     });
   });
 
+  it("reads on /rosout why a velocity moved nothing", async () => {
+    const { relay, robot, page, epoch } = await reportedRobot();
+    const client = await RosClient.connect(relay, robot);
+    client.send({ op: "subscribe", topic: "/rosout" });
+    client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: 0.261 } } });
+    const { seq } = await page.next("command");
+    const reason = "Remote is not driving: choose Remote on the robot's page.";
+    const ending = { state: "cancelled", reason, pose: null, distance: null };
+    page.send({ type: "ended", epoch, seq, ...ending });
+    expect((await client.next("topic", "/rosout"))["msg"]).toMatchObject({ msg: reason });
+  });
+
   it("drives by a single message, although it disconnects at once", async () => {
     const { relay, robot, page } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
