@@ -71,7 +71,7 @@ export function LessonEditor(props: LessonEditorProps) {
       program: null,
       isSolving: false,
       task: draft.store.getState().task,
-      onSolved: draft.startTrial(),
+      onSolved: draft.startTrial("try"),
     });
   const solve = (): void => {
     const { task } = draft;
@@ -80,7 +80,7 @@ export function LessonEditor(props: LessonEditorProps) {
     // Only this task: in a lesson in turn, it may not be open yet.
     const alone = { ...draft.lesson, order: "any" as const, tasks: [task] };
     setSharing(false);
-    const onSolved = draft.startTrial();
+    const onSolved = draft.startTrial("solve");
     setTrial({ lesson: alone, program, isSolving: true, task: index, onSolved });
   };
   if (trial !== null) {

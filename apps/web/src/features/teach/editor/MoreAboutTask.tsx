@@ -31,7 +31,7 @@ export function MoreAboutTask() {
   );
 }
 
-/** The numbers of a good solution, which the teacher's first program sets before the lesson is shared. */
+/** The numbers of a good solution, which the teacher's own program sets until the lesson is shared. */
 function ParFields() {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   const draft = useDraft();

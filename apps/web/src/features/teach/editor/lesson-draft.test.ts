@@ -118,7 +118,7 @@ describe("a solved task", () => {
 
   it("gets the reference values of the solution, and stays solved", () => {
     const { draft, state } = open();
-    const solved = draft.startTrial();
+    const solved = draft.startTrial("solve");
     solved(draft.task, { lines: 3, ticks: 400, program });
     // 5.09 s, which the clock displays as 5.0.
     solved(draft.task, { lines: 2, ticks: 305, program });
@@ -126,21 +126,16 @@ describe("a solved task", () => {
     expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 2 });
   });
 
-  it("gets the reference values of the first program, also after a drive by hand", () => {
-    const { draft } = open();
-    draft.startTrial()(draft.task, { lines: 0, ticks: 302, program: null });
-    expect(draft.task.par).toBeNull();
-    draft.startTrial()(draft.task, { lines: 2, ticks: 305, program });
-    expect(draft.task.par).toEqual({ lines: 2, seconds: 5 });
-  });
-
-  it("stays the same lesson when its teacher solves it again, so that its codes stay valid", () => {
+  it("gets the reference values of a program after a drive by hand, and after a trial", () => {
     const { draft, state } = open();
-    draft.startTrial()(draft.task, { lines: 2, ticks: 305, program });
-    const shared = lessonMark(draft.lesson);
-    draft.startTrial()(draft.task, { lines: 5, ticks: 900, program });
-    expect(lessonMark(draft.lesson)).toBe(shared);
+    const before = lessonMark(draft.lesson);
+    draft.startTrial("solve")(draft.task, { lines: 0, ticks: 302, program: null });
+    draft.startTrial("try")(draft.task, { lines: 5, ticks: 900, program });
+    // The trial has shown a completion code of this lesson.
+    expect(lessonMark(draft.lesson)).toBe(before);
     expect(solutionOf(state().solutions, draft.task)).toMatchObject({ lines: 5 });
+    draft.startTrial("solve")(draft.task, { lines: 2, ticks: 305, program });
+    expect(draft.task.par).toEqual({ lines: 2, seconds: 5 });
   });
 
   it("stays the same lesson when it is solved after students received it", () => {
@@ -149,7 +144,7 @@ describe("a solved task", () => {
     draft.editTask({ words: { ...draft.task.words, hints: [" "] } });
     shared.add(withoutBlankTexts(draft.lesson));
     const mark = lessonMark(draft.lesson);
-    const solved = draft.startTrial();
+    const solved = draft.startTrial("solve");
     for (const task of draft.lesson.tasks) solved(task, { lines: 2, ticks: 305, program });
     expect(lessonMark(draft.lesson)).toBe(mark);
     expect(solutionOf(state().solutions, draft.task)).not.toBeNull();
@@ -159,22 +154,22 @@ describe("a solved task", () => {
     const { draft, shared } = open();
     shared.add(draft.lesson);
     draft.edit({ name: "Another" });
-    const solved = draft.startTrial();
+    const solved = draft.startTrial("solve");
     for (const task of draft.lesson.tasks) solved(task, { lines: 2, ticks: 305, program });
     expect(draft.lesson.tasks.map(({ par }) => par?.lines)).toEqual([2, 2]);
   });
 
   it("gets new reference values after an edit", () => {
     const { draft } = open();
-    draft.startTrial()(draft.task, { lines: 2, ticks: 305, program });
+    draft.startTrial("solve")(draft.task, { lines: 2, ticks: 305, program });
     draft.setMaze({ ...corridor, goals: [{ column: 4, row: 1 }] });
-    draft.startTrial()(draft.task, { lines: 1, ticks: 245, program });
+    draft.startTrial("solve")(draft.task, { lines: 1, ticks: 245, program });
     expect(draft.task.par).toEqual({ lines: 1, seconds: 4 });
   });
 
   it("is not solved after an edit of its maze, until undo", () => {
     const { draft, state } = open();
-    draft.startTrial()(draft.task, { lines: 0, ticks: 302, program: null });
+    draft.startTrial("solve")(draft.task, { lines: 0, ticks: 302, program: null });
     expect(draft.task.par).toBeNull();
     draft.setMaze({ ...corridor, goals: [{ column: 4, row: 1 }] });
     expect(solutionOf(state().solutions, draft.task)).toBeNull();

@@ -13,7 +13,6 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { withoutBlankTexts } from "../../../model/teaching/blank-texts.ts";
 import {
   contentMark,
-  solutionOf,
   withSolution,
   type Solution,
   type Solutions,
@@ -161,20 +160,19 @@ export class LessonDraft {
   }
 
   /**
-   * Starts a trial of the lesson as a student, or of its open task alone. The first program that
-   * solves a task sets the reference values of every task with this content. Later ones do not, nor
-   * does any in a lesson that students may have: it would change the mark of the lesson without an
-   * edit, and their completion codes would be those of another lesson.
+   * Starts a trial of the lesson as a student, or of its open task alone. A program in a trial to
+   * solve the task sets the reference values of every task with this content. A lesson that students
+   * may have stays as it is: another mark, without an edit, would make their completion codes those
+   * of another lesson. A trial as a student shows such a code, too.
    * @returns records that the teacher solved a task
    */
-  startTrial(): (task: LessonTask, solution: Solution) => void {
-    const { lesson, solutions: known } = this.store.getState();
-    const isShared = this.#isShared(withoutBlankTexts(lesson));
+  startTrial(purpose: "try" | "solve"): (task: LessonTask, solution: Solution) => void {
+    const isShared = this.#isShared(withoutBlankTexts(this.lesson));
+    const setsPar = purpose === "solve" && !isShared;
     return (task, solution) => {
       const { solutions } = this.store.getState();
       this.store.setState({ solutions: withSolution(solutions, task, solution) });
-      const isFirst = (solutionOf(known, task)?.program ?? null) === null;
-      if (isFirst && !isShared && solution.program !== null) this.#setPar(task, solution);
+      if (setsPar && solution.program !== null) this.#setPar(task, solution);
     };
   }
 
