@@ -2,14 +2,8 @@
 import type { LessonDocument } from "@corridor/challenge";
 import { useState } from "react";
 import type { TextFile } from "../../../ui/incoming-files.ts";
-import { lessonOfMaze } from "../lessons/new-lesson.ts";
-import {
-  lessonOfShared,
-  readLessonFile,
-  type LessonProblem,
-  type OpenedLesson,
-} from "../lessons/read-lesson.ts";
-import { readTyped } from "../lessons/read-typed-lesson.ts";
+import type { LessonProblem } from "../lessons/read-lesson.ts";
+import { readBeginning, readBeginningFile, type BeginningResult } from "./read-beginning.ts";
 
 export interface Beginning {
   /** why nothing was opened */
@@ -30,7 +24,7 @@ export function useBeginning(
   const [problem, setProblem] = useState<LessonProblem | null>(null);
   const [isOpening, setOpening] = useState(false);
 
-  function receive(opened: OpenedLesson, isShared: boolean): void {
+  function receive({ opened, isShared }: BeginningResult): void {
     setOpening(false);
     setProblem(opened.ok ? null : { code: opened.code, problems: opened.problems });
     if (opened.ok) onOpened(opened.lesson, isShared);
@@ -41,22 +35,10 @@ export function useBeginning(
     isOpening,
     openText: async (text) => {
       setOpening(true);
-      const { opened, isShared } = await readBeginning(text, task);
-      receive(opened, isShared);
+      receive(await readBeginning(text, task));
     },
     openFiles: async ([file]) => {
-      if (file !== undefined) receive(await readLessonFile(file), true);
+      if (file !== undefined) receive(await readBeginningFile(file, task));
     },
   };
-}
-
-async function readBeginning(
-  text: string,
-  task: string,
-): Promise<{ opened: OpenedLesson; isShared: boolean }> {
-  const shared = await readTyped(text);
-  const lesson = shared.ok ? lessonOfMaze(shared.content, task) : null;
-  return lesson === null
-    ? { opened: lessonOfShared(shared), isShared: true }
-    : { opened: { ok: true, lesson }, isShared: false };
 }
