@@ -78,11 +78,16 @@ async function expectNumbers(page: Page): Promise<void> {
   const bars = page.getByRole("list", { name: "Time of each student: right wall" });
   await expect(bars.getByRole("listitem")).toHaveCount(28);
   await expect(bars.getByRole("listitem").last()).toHaveText("Student 28: 14:00");
+  // The rows of table 10.
+  const rows = page.getByRole("region", { name: "Each student" }).getByRole("row");
+  await expect(rows).toHaveCount(29);
+  await expect(rows.nth(3)).toHaveText(/^3\s*0:40\s*6:00$/);
+  await expect(rows.last()).toHaveText(/^28\s*14:00\s*4:00$/);
 }
 
 async function saveAndOpen(page: Page): Promise<void> {
   const tables = page.getByRole("table");
-  await expect(tables).toHaveCount(2);
+  await expect(tables).toHaveCount(3);
   const shown = await tables.allInnerTexts();
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save as CSV" }).click();
@@ -92,7 +97,7 @@ async function saveAndOpen(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Remove files" }).click();
   await expect(tables).toHaveCount(0);
   await choose(page, [saved]);
-  await expect(tables).toHaveCount(2);
+  await expect(tables).toHaveCount(3);
   expect(await tables.allInnerTexts()).toEqual(shown);
 }
 
@@ -138,8 +143,13 @@ async function stateStudents(page: Page): Promise<void> {
   await expect(row("Time to solve", "One")).toHaveText(["2 of 3 (66.7%)", ...time, "–"]);
   await expect(row("Time to solve", "Two").first()).toHaveText("0 of 3 (0%)");
   const unknown = ["–", "–", "–", "–", "–"];
-  await expect(row("Mean for each student", "One")).toHaveText(["2 of 3", "1", ...unknown]);
-  await expect(row("Mean for each student", "Two")).toHaveText(["1 of 3", "too few", ...unknown]);
+  await expect(row("Mean for each student", "One")).toHaveText(["2 of 3", "1", ...unknown, "–"]);
+  await expect(row("Mean for each student", "Two")).toHaveText([
+    "1 of 3",
+    "too few",
+    ...unknown,
+    "–",
+  ]);
   await expect(row("Each student", "Pixel").first()).toHaveText("–");
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save as CSV" }).click();

@@ -4,6 +4,7 @@ export {
   type Mean,
   type QuestionReport,
   type Report,
+  type StudentShare,
   type TaskReport,
 } from "./report.ts";
 export { joinStudies, readStudyCsv, studyCsv } from "./study-csv.ts";

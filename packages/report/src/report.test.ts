@@ -116,6 +116,20 @@ describe("another class", () => {
     expect(task).toMatchObject({ lines: 2.5, perStudent: { hints: 1.5, bumps: null } });
   });
 
+  it("counts the students with a mistake, of all students, if the class counted mistakes", () => {
+    const students = ["Juniper", "Comet", "Pixel"].map((student) => ({ student, seconds: 60 }));
+    const [juniper, comet, pixel] = students as [Work, Work, Work];
+    const report = reportOn([
+      { ...juniper, mistakes: 4 },
+      { ...comet, mistakes: 0 },
+      { ...pixel, task: "other" },
+    ]);
+    expect(report.tasks.map(({ mistaken }) => mistaken)).toEqual([
+      { students: 1, share: 1 / 3 },
+      null,
+    ]);
+  });
+
   it("counts a student once in several tasks", () => {
     const work = [
       { student: "Juniper", seconds: 60 },

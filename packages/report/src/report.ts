@@ -13,6 +13,12 @@ export interface TimeBar {
 /** Null: no value is known. */
 export type Mean = number | "too few" | null;
 
+/** Some students, and their share of all students. */
+export interface StudentShare {
+  students: number;
+  share: number;
+}
+
 export interface TaskReport {
   task: string;
   /** students who opened the task */
@@ -39,6 +45,8 @@ export interface TaskReport {
     /** the mean of its table, although its text and its data give another one, or null */
     misprint: string | null;
   } | null;
+  /** students whose runs had a mistake that the diagnosis found, of all; null: not counted */
+  mistaken: StudentShare | null;
   /** means of the counts of the students who opened the task */
   perStudent: Readonly<Record<CountName, Mean>>;
 }
@@ -53,8 +61,8 @@ export interface QuestionReport {
   /** students without an answer */
   skipped: number;
   mean: number | null;
-  /** students with a mistake that belongs to the question, and their share of all students */
-  mistakes: { students: number; share: number } | null;
+  /** students with a mistake that belongs to the question, of all */
+  mistakes: StudentShare | null;
 }
 
 export interface Report {
@@ -73,7 +81,10 @@ export function reportOf(study: Study, mistakes: ReadonlyMap<string, number> = n
   const tasks = new Set(study.work.map(({ task }) => task));
   return {
     students,
-    tasks: [...tasks].map((task) => taskReport(study.work.filter((work) => work.task === task))),
+    tasks: [...tasks].map((task) => {
+      const work = study.work.filter((each) => each.task === task);
+      return taskReport(work, students);
+    }),
     questions: questionIds(study).map((id) =>
       questionReport(study, id, students, mistakes.get(id)),
     ),
@@ -96,12 +107,14 @@ function countStudents({ work, survey }: Study): number {
   return names.size + Math.max(0, ...anonymous.values());
 }
 
-function taskReport(work: readonly Work[]): TaskReport {
+function taskReport(work: readonly Work[], students: number): TaskReport {
   const bars = work.map(({ student, seconds }) => ({ student, seconds }));
   const seconds = known(bars.map((bar) => bar.seconds));
   const paper = paperTaskOf(bars.map((bar) => bar.seconds));
   const lines = meanOfKnown(work.map((each) => each.lines));
   const mean = (name: CountName): Mean => meanOfKnown(work.map((each) => each[name]));
+  const mistakes = known(work.map((each) => each.mistakes));
+  const mistaken = mistakes.filter((count) => count > 0).length;
   return {
     task: work[0]?.task ?? "",
     opened: work.length,
@@ -116,6 +129,7 @@ function taskReport(work: readonly Work[]): TaskReport {
     },
     lines: lines ?? paper?.lines ?? null,
     paper: paper && { menus: paper.menus, misprint: paper.misprint },
+    mistaken: mistakes.length === 0 ? null : shareOf(mistaken, students),
     perStudent: {
       attempts: mean("attempts"),
       runs: mean("runs"),
@@ -141,8 +155,13 @@ function questionReport(
     // Tables of two lessons may have two answers of a student.
     skipped: Math.max(0, students - answers.length),
     mean: meanOf(answers),
-    mistakes: mistaken === undefined ? null : { students: mistaken, share: mistaken / students },
+    mistakes: mistaken === undefined ? null : shareOf(mistaken, students),
   };
+}
+
+/** @param all number of all students */
+function shareOf(students: number, all: number): StudentShare {
+  return { students, share: students / all };
 }
 
 function meanOfKnown(values: readonly (number | null)[]): Mean {

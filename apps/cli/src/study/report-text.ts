@@ -1,5 +1,5 @@
 /** Formats a report as text. */
-import type { Mean, QuestionReport, Report, TaskReport } from "@corridor/report";
+import type { Mean, QuestionReport, Report, StudentShare, TaskReport } from "@corridor/report";
 
 const TOO_FEW = "too few";
 const BAR_SECONDS = 15;
@@ -10,7 +10,7 @@ const DEFINITIONS = [
   "Lines: of the solution, without otherwise. The paper counts menus: 1 + 2 x lines.",
   "Attempts: first runs or checks of a changed program. Runs: all starts of a program.",
   "Opened by: students who opened the task. The means below it are of these students.",
-  "Mistakes: those that the diagnosis found in failed runs.",
+  "Mistakes: those that the diagnosis found in failed runs. With a mistake: students with at least one.",
   "SD: standard deviation of these students as a whole population.",
   "Means, medians and SD need at least 2 students.",
 ];
@@ -77,13 +77,15 @@ function countLines(tasks: readonly TaskReport[], students: number): string[] {
         "Failed checks",
         "Hints",
         "Mistakes",
+        "With a mistake",
       ],
-      tasks.map(({ task, opened, perStudent: mean }) => [
+      tasks.map(({ task, opened, perStudent: mean, mistaken }) => [
         task,
         `${opened} of ${students}`,
         ...[mean.attempts, mean.runs, mean.bumps, mean.failedChecks, mean.hints, mean.mistakes].map(
           meanText,
         ),
+        mistaken === null ? "-" : shareText(mistaken, students),
       ]),
     ),
   ];
@@ -118,9 +120,7 @@ function questionLines(questions: readonly QuestionReport[], students: number): 
         ...counts.map(String),
         String(skipped),
         mean === null ? TOO_FEW : mean.toFixed(1),
-        mistakes === null
-          ? "-"
-          : `${mistakes.students} of ${students} (${percent(mistakes.share, 1)})`,
+        mistakes === null ? "-" : shareText(mistakes, students),
       ]),
     ),
   ];
@@ -151,6 +151,11 @@ function clock(seconds: number | null, missing = TOO_FEW): string {
 
 function meanText(mean: Mean): string {
   return typeof mean === "number" ? round(mean) : (mean ?? "-");
+}
+
+/** @param all number of all students */
+function shareText({ students, share }: StudentShare, all: number): string {
+  return `${students} of ${all} (${percent(share, 1)})`;
 }
 
 function percent(share: number, digits = 0): string {

@@ -11,11 +11,12 @@ interface StudentTableProps {
   tasks: readonly string[];
 }
 
-/** Nothing for a table without names. */
+/** Nothing for a survey without names. */
 export function StudentTable({ study, tasks }: StudentTableProps) {
   const { t } = useTranslation("report", { useSuspense: false });
   const rows = studentRows(study, tasks);
   if (rows.length === 0) return null;
+  const known = summed.filter((name) => rows.some(({ sums }) => sums[name] !== null));
   const cellText = (time: StudentRow["times"][number] | undefined): string => {
     if (time === "unsolved") return t("figures.notSolved");
     return typeof time === "number" ? timeText(time) : "–";
@@ -26,18 +27,19 @@ export function StudentTable({ study, tasks }: StudentTableProps) {
       columns={[
         t("perStudent.student"),
         ...tasks.map((task) => t("perStudent.time", { task: columnName(task) })),
-        ...summed.map((name) => t(`columns.${name}`)),
+        ...known.map((name) => t(`columns.${name}`)),
       ]}
     >
-      {rows.map(({ student, times, sums }) => (
-        <tr key={student}>
+      {rows.map(({ student, times, sums }, at) => (
+        // oxlint-disable-next-line react/no-array-index-key -- anonymous students have no other identity
+        <tr key={at}>
           <th scope="row" dir="auto">
             {student}
           </th>
-          {tasks.map((task, at) => (
-            <td key={task}>{cellText(times[at])}</td>
+          {tasks.map((task, column) => (
+            <td key={task}>{cellText(times[column])}</td>
           ))}
-          {summed.map((name) => (
+          {known.map((name) => (
             <td key={name}>{sums[name] ?? "–"}</td>
           ))}
         </tr>

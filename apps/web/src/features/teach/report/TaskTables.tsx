@@ -1,5 +1,5 @@
 /** Times, success and lines of the tasks, and the means of what the class counted. */
-import type { Mean, TaskReport } from "@corridor/report";
+import type { Mean, StudentShare, TaskReport } from "@corridor/report";
 import { useTranslation } from "react-i18next";
 import { timeText, columnName, percentText, shortNumber } from "./report-numbers.ts";
 import { ReportTable } from "./ReportTable.tsx";
@@ -24,6 +24,8 @@ export function TaskTables({ tasks, students }: TaskTablesProps) {
     if (typeof mean === "number") return format(mean);
     return mean === null ? "–" : t("few");
   };
+  const shareText = ({ students: solved, share }: StudentShare): string =>
+    t("tasks.solvedOf", { solved, all: students, percent: percentText(share, language) });
   const linesText = (count: number, paper: TaskReport["paper"]): string => {
     const lines = t("tasks.linesOf", { count, lines: shortNumber(count, language) });
     return paper === null ? lines : t("tasks.inPaper", { lines, menus: paper.menus });
@@ -55,13 +57,7 @@ export function TaskTables({ tasks, students }: TaskTablesProps) {
         {tasks.map(({ task, solved, time, lines, paper }) => (
           <tr key={task}>
             <th scope="row">{columnName(task)}</th>
-            <td>
-              {t("tasks.solvedOf", {
-                solved,
-                all: students,
-                percent: percentText(solved / students, language),
-              })}
-            </td>
+            <td>{shareText({ students: solved, share: solved / students })}</td>
             {times.map((name) => {
               const seconds = solved === 0 ? null : (time[name] ?? "too few");
               return <td key={name}>{meanText(seconds, timeText)}</td>;
@@ -73,10 +69,13 @@ export function TaskTables({ tasks, students }: TaskTablesProps) {
       {isCounted && (
         <ReportTable
           title={t("counts.title")}
-          columns={(["task", "opened", ...counts] as const).map((each) => t(`columns.${each}`))}
+          columns={[
+            ...(["task", "opened", ...counts] as const).map((each) => t(`columns.${each}`)),
+            t("survey.mistakesOf"),
+          ]}
           notes={<p className={styles["note"]}>{t("counts.note")}</p>}
         >
-          {tasks.map(({ task, opened, perStudent }) => (
+          {tasks.map(({ task, opened, perStudent, mistaken }) => (
             <tr key={task}>
               <th scope="row">{columnName(task)}</th>
               <td>{t("counts.openedOf", { opened, all: students })}</td>
@@ -85,6 +84,7 @@ export function TaskTables({ tasks, students }: TaskTablesProps) {
                   {meanText(perStudent[name], (mean) => shortNumber(mean, language))}
                 </td>
               ))}
+              <td>{mistaken === null ? "–" : shareText(mistaken)}</td>
             </tr>
           ))}
         </ReportTable>

@@ -23,7 +23,6 @@ it("each student has one row with the times of all tasks and the sums of the cou
     workOf("Juniper", "One"),
     workOf("Comet", "Two", { seconds: null, attempts: null }),
     workOf("Juniper", "Two", { seconds: 90, bumps: 4, hints: 1 }),
-    workOf(null, "One"),
   ];
   const survey = ["Juniper", "Pixel"].map((student) => ({ student, answers: {} }));
   expect(studentRows({ work, survey }, ["One", "Two"])).toEqual([
@@ -45,7 +44,22 @@ it("each student has one row with the times of all tasks and the sums of the cou
   ]);
 });
 
-it("a table without names has no rows of students", () => {
-  const work = [workOf(null, "One"), workOf(null, "One")];
-  expect(studentRows({ work, survey: [] }, ["One"])).toEqual([]);
+it("students without a name have the rows of their tables, by number", () => {
+  const work = [
+    workOf(null, "One", { seconds: 30 }),
+    workOf(null, "One", { seconds: null }),
+    workOf("Juniper", "One"),
+    workOf(null, "Two", { seconds: 240 }),
+  ];
+  const rows = studentRows({ work, survey: [] }, ["One", "Two"]);
+  expect(rows.map(({ student, times }) => [student, ...times])).toEqual([
+    ["Juniper", 60, null],
+    ["1", 30, 240],
+    ["2", "unsolved", null],
+  ]);
+});
+
+it("a survey without names has no rows of students", () => {
+  const survey = [{ student: null, answers: { navigation: 4 } as const }];
+  expect(studentRows({ work: [], survey }, [])).toEqual([]);
 });
