@@ -1,5 +1,6 @@
 /** The students, by what they need. */
 import { useEffect, useRef, useState } from "react";
+import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
 import { helpedOfState, resultsTask } from "../../model/classroom/dashboard.ts";
@@ -40,7 +41,7 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const list = useRef<HTMLUListElement>(null);
   const isEmpty = order.order.length === 0;
-  useNextKey(list);
+  useNextKey(list, () => setChosen("all"));
   useHold(list, isEmpty);
   const filtered = (each: Filter): number[] =>
     order.order.filter((_, at) => hasFilter(bits[at] ?? 0, each));
@@ -114,9 +115,13 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
   );
 }
 
-/** N moves the focus to the next student who needs help. */
-function useNextKey(list: { readonly current: HTMLElement | null }): void {
+/** N moves the focus to the next student who needs help. @param showAll ends the filter */
+function useNextKey(list: { readonly current: HTMLElement | null }, showAll: () => void): void {
   const { dashboard } = useContent();
+  const show = useRef(showAll);
+  useEffect(() => {
+    show.current = showAll;
+  });
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
       const isTyping =
@@ -126,7 +131,11 @@ function useNextKey(list: { readonly current: HTMLElement | null }): void {
       const { order } = dashboard.store.getState().order;
       const current = Number(document.activeElement?.getAttribute("data-student") ?? "0") || null;
       const next = nextHelped(order, helpedOfState(dashboard.store.getState()), current);
-      list.current?.querySelector<HTMLElement>(`[data-student="${next}"]`)?.focus();
+      if (next === null) return;
+      const card = () => list.current?.querySelector<HTMLElement>(`[data-student="${next}"]`);
+      // The filter hides the card of this student.
+      if (!card()) flushSync(() => show.current());
+      card()?.focus();
     };
     document.addEventListener("keydown", press);
     return () => document.removeEventListener("keydown", press);
