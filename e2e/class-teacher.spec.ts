@@ -225,7 +225,12 @@ async function sortByNeed(
   await page.getByRole("radio", { name: "Needs help 2" }).check({ force: true });
   await expect(cards(page)).toHaveCount(2);
   await expectNoAxeViolations(page, "dashboard");
-  await page.getByRole("radio", { name: /^All/ }).check({ force: true });
+  // Also to one whom the filter hides.
+  await page.getByRole("radio", { name: /^Solved/ }).check({ force: true });
+  await expect(cards(page)).toHaveCount(2);
+  await page.getByRole("heading", { name: "One line" }).click();
+  await page.keyboard.press("n");
+  await expect(cardOf(page, shy)).toBeFocused();
   await expect(cards(page)).toHaveCount(5);
 }
 
@@ -255,6 +260,7 @@ async function directOne({ page }: OpenClass, driver: ScriptedStudent): Promise<
   await expect.poll(() => driver.has("watched")).toBe(true);
   const program = page.getByRole("list", { name: "Program" });
   await expect(program.getByRole("listitem").first()).toContainText("if front < 50");
+  await sheet.getByRole("textbox", { name: /^Your note on Team/ }).fill("sits at the window");
   // The teacher reads the hint before the student does.
   await expect(sheet.getByText("Hint 1 Look at front.")).toBeVisible();
   await sheet.getByRole("button", { name: "Show hint 1" }).click();
@@ -265,6 +271,7 @@ async function directOne({ page }: OpenClass, driver: ScriptedStudent): Promise<
   await page.keyboard.press("Escape");
   await expect(cardOf(page, driver)).toBeFocused();
   await cardOf(page, driver).click();
+  await expect(sheet.getByRole("textbox")).toHaveValue("sits at the window");
   await sheet.getByRole("button", { name: "Remove" }).click();
   await sheet.getByRole("button", { name: "Remove" }).last().click();
   await expect(cardOf(page, driver)).toHaveCount(0);

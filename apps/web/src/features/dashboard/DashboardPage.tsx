@@ -15,7 +15,7 @@ import { Announcements } from "./Announcements.tsx";
 import { ClassFoot } from "./ClassFoot.tsx";
 import { ClassHead } from "./ClassHead.tsx";
 import { ClassUnreached } from "./ClassUnreached.tsx";
-import { DashboardProvider } from "./dashboard-context.ts";
+import { DashboardProvider, type StudentNotes } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
 import { EndDialog } from "./EndDialog.tsx";
@@ -34,6 +34,7 @@ interface DashboardPageProps {
   /** on this device */
   reports: SavedReports;
   room: OwnClass;
+  notes: StudentNotes;
   /** stores the label of the class on the device */
   onLabel: (label: string) => void;
   /** the buttons for theme and language */
@@ -41,7 +42,7 @@ interface DashboardPageProps {
 }
 
 export function DashboardPage(props: DashboardPageProps) {
-  const { dashboard, calls, reports, room, onLabel, tools } = props;
+  const { dashboard, calls, reports, room, notes, onLabel, tools } = props;
   const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
   const [label, setLabel] = useState(room.label);
   const [hidesNames, setHidesNames] = useState(false);
@@ -61,8 +62,8 @@ export function DashboardPage(props: DashboardPageProps) {
     document.title = t("title");
   }, [t, i18n.language]);
   const content = useMemo(
-    () => ({ id: room.id, dashboard, calls, reports, hidesNames, report }),
-    [room.id, dashboard, calls, reports, hidesNames],
+    () => ({ id: room.id, dashboard, calls, reports, notes, hidesNames, report }),
+    [room.id, dashboard, calls, reports, notes, hidesNames],
   );
   const isOver = status === "over" || status === "refused";
   return (

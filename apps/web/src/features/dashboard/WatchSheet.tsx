@@ -4,12 +4,14 @@ import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
 import { shownCode } from "../../model/classes/shown-code.ts";
+import { MAX_NOTE } from "../../model/classroom/own-classes.ts";
 import { activeNow, verificationOf } from "../../model/classroom/dashboard.ts";
 import { needsHelp, openTask, openWork } from "../../model/classroom/standing.ts";
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import { directionOf } from "../../text/direction.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
+import { TextField } from "../../ui/TextField.tsx";
 import { classTimeText } from "./class-time-text.ts";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
@@ -64,6 +66,7 @@ export function WatchSheet(props: WatchSheetProps) {
     >
       <SheetHead student={student} onClose={onClose} />
       <Facts student={student} />
+      <TeacherNote student={student} />
       <PictureArea className={styles["stage"]}>
         <StudentPicture student={number} />
       </PictureArea>
@@ -121,6 +124,29 @@ function Facts({ student }: { student: SeenStudent }) {
       </span>
       {facts.lines !== null && <span>{t("card.lines", { count: facts.lines })}</span>}
     </p>
+  );
+}
+
+/** A note such as who Juniper is. It is hidden with the names, because it may have another one. */
+function TeacherNote({ student }: { student: SeenStudent }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const { notes, hidesNames } = useContent();
+  const nameOf = useStudentName();
+  const { student: number } = student;
+  const [text, setText] = useState(() => notes.read(number));
+  if (hidesNames) return null;
+  return (
+    <TextField
+      label={t("watch.note", { name: nameOf(student) })}
+      note={t("watch.noteStays")}
+      value={text}
+      maxLength={MAX_NOTE}
+      dir="auto"
+      onChange={(next) => {
+        setText(next);
+        notes.write(number, next.trim());
+      }}
+    />
   );
 }
 

@@ -8,6 +8,13 @@ import { studentNameText } from "../../model/classes/student-name.ts";
 import type { SavedReports } from "../../model/teaching/saved-reports.ts";
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 
+/** What the teacher notes about students, by their numbers. The texts stay on this device. */
+export interface StudentNotes {
+  /** empty: none */
+  read: (student: number) => string;
+  write: (student: number, text: string) => void;
+}
+
 export interface DashboardContent {
   /** of the class */
   id: string;
@@ -17,6 +24,7 @@ export interface DashboardContent {
   hidesNames: boolean;
   /** on this device */
   reports: SavedReports;
+  notes: StudentNotes;
   /** Shows why a call had no effect. */
   report: (refusal: ClassRefusal | null) => void;
 }

@@ -72,9 +72,7 @@ export function openDashboard({ room, classes, reports, words, tools }: Dashboar
   const followStatus = (kind: ClassroomStatus["kind"]): void => {
     // The service has deleted the class: its key is of no use any more.
     if (kind === "over") classes.remove(room.id);
-    if (kind !== "connected") return;
-    const stored = classes.read(room.id);
-    if (stored !== null && stored.key !== room.key) classes.store({ ...stored, key: room.key });
+    if (kind === "connected") classes.change(room.id, { key: room.key });
   };
   worker.onmessage = ({ data }: MessageEvent<FromClassroom>) => {
     dashboard.receive(data);
@@ -97,7 +95,11 @@ export function openDashboard({ room, classes, reports, words, tools }: Dashboar
       calls={calls}
       reports={reports}
       room={room}
-      onLabel={(label) => classes.store({ ...room, label })}
+      notes={{
+        read: (student) => classes.read(room.id)?.notes[student] ?? "",
+        write: (student, text) => classes.setNote(room.id, student, text),
+      }}
+      onLabel={(label) => classes.change(room.id, { label })}
       tools={tools}
     />
   );

@@ -26,7 +26,7 @@ function device() {
 
 it("the key of a teacher leaves the address, and the device stores it", () => {
   const { visit, addresses, classes } = device();
-  const room = { id, key: teacherKey, screenKey: null, label: "", startedAt: NOW };
+  const room = { id, key: teacherKey, screenKey: null, label: "", startedAt: NOW, notes: {} };
   expect(visit(`#${teacherKey}`)).toEqual({ kind: "teach", room });
   expect(addresses).toEqual([`/class/${id}`]);
   expect(visit("")).toEqual({ kind: "teach", room });
@@ -36,7 +36,7 @@ it("the key of a teacher leaves the address, and the device stores it", () => {
 
 it("a link does not change the label that the device has", () => {
   const { visit, classes } = device();
-  classes.store({ id, key: teacherKey, screenKey, label: "8B", startedAt: NOW });
+  classes.store({ id, key: teacherKey, screenKey, label: "8B", startedAt: NOW, notes: {} });
   expect(visit(`#${teacherKey}`)).toMatchObject({ room: { label: "8B", screenKey } });
 });
 
@@ -86,7 +86,7 @@ it.each([
 
 it("the device lists running classes, newest first, and removes those that have ended", () => {
   const { classes } = device();
-  const entry = { key: teacherKey, screenKey, label: "8B" };
+  const entry = { key: teacherKey, screenKey, label: "8B", notes: {} };
   classes.store({ ...entry, id: "1", startedAt: NOW - 3_600_000 });
   classes.store({ ...entry, id: "2", startedAt: NOW });
   classes.store({ ...entry, id: "3", startedAt: NOW - 13 * 3_600_000 });

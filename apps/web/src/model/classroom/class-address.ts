@@ -38,7 +38,7 @@ export function takeClassVisit(ports: ClassAddressPorts): ClassVisit {
   const stored = classes.read(id);
   const [, key, screenKey = null] = TEACHER.exec(given) ?? [];
   if (key !== undefined) {
-    const known = stored ?? { id, screenKey: null, label: "", startedAt: now() };
+    const known = stored ?? { id, screenKey: null, label: "", startedAt: now(), notes: {} };
     const room = { ...known, key, screenKey: known.screenKey ?? screenKey };
     // A wrong link must not replace the right key. The dashboard stores another key that works.
     if (stored === null || stored.key === key) classes.store(room);

@@ -1,5 +1,6 @@
 /**
- * The classes that a teacher runs from this device: the key, and what the service never receives.
+ * The classes that a teacher runs from this device: the key, and what the service never receives,
+ * such as notes about students.
  * An entry lasts until the class ends, so a closed tab loses no lesson.
  */
 import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
@@ -14,12 +15,15 @@ export interface OwnClass {
   label: string;
   /** ms since 1970 */
   startedAt: number;
+  /** what the teacher notes about students, such as who Juniper is, by their numbers */
+  notes: Readonly<Record<string, string>>;
 }
 
 const PREFIX = "corridor.classroom.";
 /** The longest life of a class, in ms. */
 const LIFE_MS = 12 * 3_600_000;
 export const MAX_CLASS_LABEL = 40;
+export const MAX_NOTE = 80;
 
 export class OwnClasses {
   readonly #device: KeyValueStorage;
@@ -57,6 +61,7 @@ export class OwnClasses {
         screenKey: typeof entry.screenKey === "string" ? entry.screenKey : null,
         label: typeof entry.label === "string" ? entry.label.slice(0, MAX_CLASS_LABEL) : "",
         startedAt: typeof entry.startedAt === "number" ? entry.startedAt : this.#now(),
+        notes: notesOf(entry.notes),
       };
     } catch {
       return null;
@@ -72,7 +77,28 @@ export class OwnClasses {
     }
   }
 
+  /** Changes an entry. Nothing happens after the end of the class. */
+  change(id: string, change: Partial<Pick<OwnClass, "key" | "label" | "notes">>): void {
+    const stored = this.read(id);
+    if (stored !== null) this.store({ ...stored, ...change });
+  }
+
+  /** Stores a note about a student. @param text empty: none */
+  setNote(id: string, student: number, text: string): void {
+    const { [String(student)]: _before, ...others } = this.read(id)?.notes ?? {};
+    const notes = text === "" ? others : { ...others, [student]: text.slice(0, MAX_NOTE) };
+    this.change(id, { notes });
+  }
+
   remove(id: string): void {
     this.#device.removeItem(PREFIX + id);
   }
+}
+
+function notesOf(value: unknown): OwnClass["notes"] {
+  if (typeof value !== "object" || value === null) return {};
+  const notes = Object.entries(value).flatMap(([student, text]: [string, unknown]) =>
+    typeof text === "string" ? [[student, text.slice(0, MAX_NOTE)]] : [],
+  );
+  return Object.fromEntries(notes) as OwnClass["notes"];
 }

@@ -104,6 +104,7 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
       screenKey,
       label: label.trim(),
       startedAt: Date.now(),
+      notes: {},
     });
     location.assign(`/class/${id}#${teacherKey}`);
     return null;
