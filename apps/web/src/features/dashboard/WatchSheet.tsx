@@ -66,7 +66,6 @@ export function WatchSheet(props: WatchSheetProps) {
     >
       <SheetHead student={student} onClose={onClose} />
       <Facts student={student} />
-      <TeacherNote student={student} />
       <PictureArea className={styles["stage"]}>
         <StudentPicture student={number} />
       </PictureArea>
@@ -78,6 +77,7 @@ export function WatchSheet(props: WatchSheetProps) {
           {isOnScreens ? t("screen.hide") : t("screen.show")}
         </Button>
       </Actions>
+      <TeacherNote student={student} />
     </aside>
   );
 }
