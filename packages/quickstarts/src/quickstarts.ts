@@ -121,7 +121,13 @@ export const quickstarts: Readonly<Record<QuickstartId, Quickstart>> = {
     needs: ".NET 10",
     text: soapCsharp,
   },
-  soapJava: { ...soap, name: "Java (SOAP)", file: "Drive.java", command: null, text: soapJava },
+  soapJava: {
+    ...soap,
+    name: "Java (SOAP)",
+    file: "src/main/java/Drive.java",
+    command: null,
+    text: soapJava,
+  },
   soapPython: { ...soap, ...pythonFile, name: "zeep (SOAP)", text: soapPython },
   micromouse: {
     ...script,

@@ -14,7 +14,8 @@ print(command["reason"] or command["state"])
 }
 
 export function soapJava(robot: RobotParts): string {
-  return `// First, with Apache CXF 4 and Java 17: wsdl2java -p robot "${soapUrlOf(robot)}?wsdl"
+  return `// First: save pom.xml of ${robot.origin}/docs#connect in the folder that contains src, and run there:
+// mvn -q compile exec:java -D wsdl="${soapUrlOf(robot)}?wsdl"
 import robot.*;
 
 public class Drive {

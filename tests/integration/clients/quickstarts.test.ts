@@ -1,6 +1,6 @@
 /** The quickstarts for clients of other protocols, run as copied, with a robot at a real relay. */
 import { execFile, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -12,9 +12,10 @@ import { Ros, Topic } from "roslib";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
 import { BridgeProcess, MAIN } from "../../support/bridges/bridge-process.ts";
-import { runMaven, skipWithoutMaven } from "../../support/maven.ts";
+import { skipWithoutMaven } from "../../support/maven.ts";
 import { corridorHost } from "../../support/mcp/corridor-host.ts";
 import { urlWithKey } from "../../support/ros/url-with-key.ts";
+import { runWithCxf } from "../../support/soap/cxf-project.ts";
 import { sharedRelayProcess } from "../../support/test-relay-process.ts";
 import { VipleClient } from "../../support/viple/viple-client.ts";
 
@@ -138,16 +139,9 @@ describe("the quickstart of", () => {
 
   it("SOAP in Java drives the robot", { timeout: 2 * TIMEOUT_MS }, ({ skip }) =>
     skipWithoutMaven(skip, async () => {
-      const { relay, folder, actions, text, expectListed } = await prepare("soapJava");
-      expect(text).toContain(`wsdl2java -p robot "${relay.url}/soap?wsdl"`);
-      const pom = readFileSync(join(ROOT, "tests/support/soap/java/pom.xml"), "utf8")
-        .replace("<mainClass>Square<", "<mainClass>Drive<")
-        .replace("<build>", "<build><sourceDirectory>.</sourceDirectory>");
-      writeFileSync(join(folder, "pom.xml"), pom);
-      const target = mkdtempSync(join(tmpdir(), "corridor-cxf-"));
-      onTestFinished(() => rmSync(target, { recursive: true, force: true }));
-      const wsdl = `${relay.url}/soap?wsdl`;
-      const output = await runMaven(join(folder, "pom.xml"), { wsdl, target });
+      const { text, actions, expectListed } = await prepare("soapJava");
+      const [, wsdl = ""] = /^\/\/ mvn -q compile exec:java -D wsdl="(.*)"$/m.exec(text) ?? [];
+      const output = await runWithCxf("Drive", text, { wsdl });
       expect(output.slice(output.indexOf("front"))).toBe("front 450.0\nCOMPLETED\n");
       expect(actions()).toEqual(["left 90"]);
       await expectListed();
