@@ -1,4 +1,5 @@
 /** Real ROS clients that publish velocities while their network, their relay or another client fails. */
+import { monitorEventLoopDelay } from "node:perf_hooks";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { SeededRandom } from "../../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { machineNow, sleep, wallClock } from "../../../../e2e/faults/clock.ts";
@@ -16,7 +17,9 @@ import {
 } from "../../../support/ros/velocity-streams.ts";
 
 const CUT_MS = 8_000;
-/** The lease of 500 ms stops the robot. A slow machine may need longer, but not as long as the cut. */
+/** From the newest velocity on: the lease of 500 ms stops the robot. */
+const STANDS_MS = 600;
+/** From the cut on. On a slow machine, velocities are under way for longer, but not as long as the cut. */
 const STOP_MS = 4_000;
 /** roslibpy waits up to 8 s between its first attempts to connect. */
 const RECONNECT = { timeout: 60_000, interval: 100 };
@@ -70,17 +73,23 @@ async function publishedOf({ relay, robot, stream }: Turning, since: number): Pr
 /** Interrupts the network of a client for 8 s. @returns what moved the robot meanwhile and afterwards */
 async function interrupt(turning: Turning, fault: "cut" | "stall") {
   const { proxy, robot } = turning;
+  const delays = monitorEventLoopDelay({ resolution: 8 });
+  delays.enable();
   const cutAt = machineNow();
   if (fault === "cut") proxy.breakFor(CUT_MS);
   else proxy.stall(CUT_MS);
   await sleep(CUT_MS);
   const { isMoving, movedAt } = robot;
   const backAt = machineNow();
+  delays.disable();
+  const newestAt = Math.max(cutAt, ...robot.starts.map(({ at }) => at));
+  // A page that gets no processor time stops its robot only afterwards.
+  const standsMs = movedAt - newestAt - delays.max / 1e6;
   await expect.poll(() => robot.isMoving, RECONNECT).toBe(true);
   await sleep(AFTER_MS);
   const published = await publishedOf(turning, cutAt + STOP_MS);
   const stale = published.filter((at) => at < backAt - NEW_MS).length;
-  return { isMoving, stopMs: movedAt - cutAt, velocities: published.length, stale };
+  return { isMoving, standsMs, stopMs: movedAt - cutAt, velocities: published.length, stale };
 }
 
 describe.each(["roslib", "roslibpy"])("a robot that %s turns", (name) => {
@@ -93,6 +102,7 @@ describe.each(["roslib", "roslibpy"])("a robot that %s turns", (name) => {
     ]);
     for (const outcome of await Promise.all(measured.map((measure) => measure()))) {
       expect(outcome).toMatchObject({ isMoving: false });
+      expect(outcome.standsMs).toBeLessThan(STANDS_MS);
       expect(outcome.stopMs).toBeLessThan(STOP_MS);
       expect(outcome.velocities).toBeGreaterThan(1);
       expect(outcome.stale).toBeLessThanOrEqual(1);
