@@ -3,7 +3,8 @@
     python agent.py auto|legacy URL KEY
     CORRIDOR_ROBOT=ADDRESS python agent.py auto|legacy COMMAND...
 
-Prints one line of JSON: the tools, the last snapshot, and a refusal.
+Prints one line of JSON: the tools, the last snapshot, a refusal, and by HTTP the answer to a call
+that was repeated because its first answer was lost.
 """
 
 import asyncio
@@ -14,6 +15,8 @@ import sys
 from mcp import Client, StdioServerParameters
 from mcp.client.stdio import stdio_client
 from mcp.client.streamable_http import create_mcp_http_client, streamable_http_client
+
+LOST_S = 5
 
 
 def seen(result):
@@ -39,6 +42,31 @@ async def solve(agent):
     return snapshot
 
 
+class LostAnswerError(Exception):
+    """The connection ends after the server has answered."""
+
+
+async def lose(response):
+    raise LostAnswerError(response.url)
+
+
+async def repeat(mode, url, key):
+    """Calls `act`, loses the answer, and repeats the call with its key."""
+    turn = {"action": "turn", "degrees": 90, "key": "again-0001"}
+    http = create_mcp_http_client(headers={"Authorization": f"Bearer {key}"})
+    try:
+        async with Client(streamable_http_client(url, http_client=http), mode=mode) as agent:
+            await agent.list_tools()
+            http.event_hooks = {"request": [], "response": [lose]}
+            await asyncio.wait_for(agent.call_tool("act", turn), timeout=LOST_S)
+    except BaseException as lost:  # the library reports it as a group of exceptions, or not at all
+        print(repr(lost), file=sys.stderr)
+    else:
+        raise SystemExit("the answer was not lost")
+    async with Client(transport(url, key), mode=mode) as agent:
+        return (await agent.call_tool("act", turn)).content[0].text
+
+
 def transport(program, *args):
     if not program.startswith("http"):
         environment = {"CORRIDOR_ROBOT": os.environ["CORRIDOR_ROBOT"]}
@@ -51,6 +79,7 @@ def transport(program, *args):
 
 
 async def main(mode, *server):
+    is_remote = server[0].startswith("http")
     async with Client(transport(*server), mode=mode) as agent:
         tools = [tool.name for tool in (await agent.list_tools()).tools]
         snapshot = await solve(agent)
@@ -62,6 +91,7 @@ async def main(mode, *server):
                     "snapshot": snapshot,
                     "refused": refused.is_error,
                     "sentence": refused.content[0].text,
+                    "repeated": await repeat(mode, *server) if is_remote else None,
                 }
             )
         )

@@ -15,7 +15,7 @@ const sharedRelay = sharedRelayProcess();
 
 describe("an agent in Python", () => {
   it.for(["auto", "legacy"])(
-    "solves a corridor, and reads why a command is refused (%s)",
+    "solves a corridor, reads why a command is refused, and repeats one whose answer was lost (%s)",
     { timeout: 300_000 },
     async (mode, { skip }) => {
       const { relay, page, registration, url } = await corridorHost(await sharedRelay());
@@ -25,11 +25,14 @@ describe("an agent in Python", () => {
       const { stdout } = await run(found.python, args).catch((error: unknown) => {
         throw new Error(`${String(error)}\n${relay.log}`);
       });
-      const { tools, snapshot, refused, sentence } = JSON.parse(stdout) as Record<string, unknown>;
+      const received = JSON.parse(stdout) as Record<string, unknown>;
+      const { tools, snapshot, refused, sentence, repeated } = received;
       expect(tools).toEqual(["sense", "look", "wait", "act", "stop", "reset"]);
       expect(snapshot).toMatchObject({ goalReached: true, bumps: 0 });
       expect(refused).toBe(true);
       expect(sentence).toContain("distance: found 90000");
+      expect(repeated).toContain("the robot did not move again");
+      expect(page.robot.done.filter(({ action }) => action === "turn")).toHaveLength(1);
       expect(page.robot.snapshot().bumps).toBe(0);
     },
   );
