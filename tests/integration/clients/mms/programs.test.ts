@@ -11,6 +11,7 @@ import {
 import { ManualTimers } from "@corridor/protocol/testing";
 import { SimulatedPort } from "../../../../packages/mouse/src/testing/simulated-port.ts";
 import { MouseSession } from "../../../../packages/mouse/src/mouse-session.ts";
+import { inPath } from "../../../../scripts/programs.ts";
 import { compilerOptions, shortRunOptions } from "../../../support/java.ts";
 import { runProgram } from "../../../support/mouse/run-program.ts";
 
@@ -22,7 +23,10 @@ type Start = { command: readonly [string, ...string[]] } | { missing: string };
 const programs: { name: string; start: () => Start }[] = [
   {
     name: "Python: flood fill",
-    start: () => ({ command: ["python3", `${support}flood_fill.py`] }),
+    start: () =>
+      inPath("python3").length > 0
+        ? { command: ["python3", `${support}flood_fill.py`] }
+        : { missing: "Python is not installed." },
   },
   {
     name: "JavaScript: wall follower",
