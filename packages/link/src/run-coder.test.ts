@@ -1,4 +1,4 @@
-import { generateTree, toggleBlock, type MazeDocument } from "@corridor/maze";
+import { generateTree, isBlock, setBlock, type MazeDocument } from "@corridor/maze";
 import { arbitraryMaze } from "@corridor/maze/testing";
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import { arbitraryProgram } from "@corridor/program/testing";
@@ -160,7 +160,7 @@ describe("the link of a run", () => {
 
 /** Returns the maze with one cell toggled. */
 function blockedMaze(maze: MazeDocument): MazeDocument {
-  const edit = toggleBlock(maze, { column: 5, row: 3 });
+  const edit = setBlock(maze, { column: 5, row: 3 }, !isBlock(maze, 5, 3));
   if (!edit.ok) throw new Error(edit.code);
   return edit.maze;
 }

@@ -54,7 +54,6 @@ export {
   resize,
   setBlock,
   setStart,
-  toggleBlock,
   toggleGoal,
   type MazeEdit,
   type MazeRefusal,

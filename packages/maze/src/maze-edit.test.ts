@@ -9,7 +9,6 @@ import {
   resize,
   setBlock,
   setStart,
-  toggleBlock,
   toggleGoal,
   type MazeEdit,
 } from "./maze-edit.ts";
@@ -39,14 +38,14 @@ describe("blocks", () => {
     expect(maze.blocks).toEqual(["....", ".##.", "...."]);
   });
 
-  it("are toggled off and on", () => {
-    const opened = edited(toggleBlock(maze, { column: 1, row: 1 }));
+  it("are opened and filled again", () => {
+    const opened = edited(setBlock(maze, { column: 1, row: 1 }, false));
     expect(opened.blocks[1]).toBe("..#.");
-    expect(edited(toggleBlock(opened, { column: 1, row: 1 }))).toEqual(maze);
+    expect(edited(setBlock(opened, { column: 1, row: 1 }, true))).toEqual(maze);
   });
 
   it("remove the goal on their cell", () => {
-    expect(edited(toggleBlock(maze, { column: 3, row: 2 }))).toMatchObject({
+    expect(edited(setBlock(maze, { column: 3, row: 2 }, true))).toMatchObject({
       blocks: ["....", ".##.", "...#"],
       goals: [],
     });
@@ -120,8 +119,8 @@ describe("a refused edit", () => {
     ["a block on the start", setBlock(maze, { column: 0, row: 0 }, true), "start-here"],
     ["a block outside", setBlock(maze, { column: 4, row: 0 }, true), "outside"],
     ["opening a cell outside", setBlock(maze, { column: 0, row: -1 }, false), "outside"],
-    ["a toggle outside", toggleBlock(maze, { column: -1, row: 0 }), "outside"],
-    ["a toggle between cells", toggleBlock(maze, { column: 0.5, row: 0 }), "outside"],
+    ["a block left of the maze", setBlock(maze, { column: -1, row: 0 }, true), "outside"],
+    ["a block between cells", setBlock(maze, { column: 0.5, row: 0 }, true), "outside"],
     ["the start on a block", setStart(maze, { column: 1, row: 1 }, "east"), "block-here"],
     ["the start outside", setStart(maze, { column: 0, row: 3 }, "east"), "outside"],
     ["a goal on a block", toggleGoal(maze, { column: 2, row: 1 }), "block-here"],
@@ -149,7 +148,6 @@ describe("any sequence of edits", () => {
           (from: MazeDocument) =>
             setBlock(from, at, filled),
       ),
-      cell.map((at) => (from: MazeDocument) => toggleBlock(from, at)),
       fc.tuple(cell, fc.constantFrom("north", "east", "south", "west")).map(
         ([at, heading]) =>
           (from: MazeDocument) =>

@@ -43,11 +43,6 @@ export function setBlock(maze: MazeDocument, cell: Cell, filled: boolean): MazeE
   return accept({ ...maze, blocks, goals: filled ? withoutGoal(maze.goals, cell) : maze.goals });
 }
 
-/** Fills an open cell or opens a filled one. Returns the codes of `setBlock`. */
-export function toggleBlock(maze: MazeDocument, cell: Cell): MazeEdit {
-  return setBlock(maze, cell, !isBlock(maze, cell.column, cell.row));
-}
-
 /**
  * Moves the start to an open cell, which may be a goal.
  * @returns the edit, or the code "outside" or "block-here"
