@@ -5,7 +5,8 @@
  */
 import type { PlainAction } from "@corridor/protocol";
 import { conditionOf, numberOf, numberRange, kindOf } from "./condition-parts.ts";
-import type { Condition, ProgramDocument, Rule } from "./program-document.ts";
+import type { ProgramDocument, Rule } from "./program-document.ts";
+import { isSameCondition } from "./same-program.ts";
 import {
   DEFAULT_ACTION,
   DEFAULT_NUMBER,
@@ -132,8 +133,4 @@ function changeRule(
   if (typeof changed === "string") return refuse(changed);
   if (changed === rule) return accept(program);
   return accept({ ...program, rules: program.rules.with(index, changed) });
-}
-
-function isSameCondition(a: Condition | null, b: Condition): boolean {
-  return a !== null && kindOf(a) === kindOf(b) && numberOf(a) === numberOf(b);
 }

@@ -25,7 +25,7 @@ export function isSameRule(one: Rule, other: Rule): boolean {
   return one.do === other.do && isSameCondition(one.when, other.when);
 }
 
-function isSameCondition(one: Condition | null, other: Condition | null): boolean {
+export function isSameCondition(one: Condition | null, other: Condition | null): boolean {
   if (one === null || other === null) return one === other;
   if (one.sensor !== other.sensor || one.is !== other.is || one.than !== other.than) return false;
   return one.than !== "right" || (other.than === "right" && one.plus === other.plus);
