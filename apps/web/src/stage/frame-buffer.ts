@@ -2,11 +2,7 @@
  * Frames that wait to be drawn or sent: the newest one, with everything that the trail gained
  * meanwhile. The consumer may be much slower than the run, or hidden for hours.
  */
-import type { Frame } from "./drawing/frame.ts";
-
-/** Largest numbers of corners and bumps that are retained, the newest. */
-const MAX_CORNERS = 20_000;
-const MAX_BUMPS = 100;
+import { MAX_BUMPS, MAX_CORNERS, type Frame } from "./drawing/frame.ts";
 
 export class FrameBuffer {
   #corners: number[] = [];

@@ -9,7 +9,7 @@
  * depends on neither page nor worker and runs in both.
  */
 import type { Snapshot } from "@corridor/protocol";
-import type { Frame } from "./drawing/frame.ts";
+import { MAX_BUMPS, type Frame } from "./drawing/frame.ts";
 import type { LayerCanvases } from "./drawing/drawing-context.ts";
 import { Camera } from "./camera.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
@@ -49,8 +49,6 @@ export interface RendererPort {
 
 /** Frames at most this many ticks apart are consecutive. */
 const RECENT_TICKS = 30;
-/** Largest number of marked bumps; the newest ones stay. */
-const MAX_BUMPS = 100;
 
 type Layer = keyof LayerCanvases;
 

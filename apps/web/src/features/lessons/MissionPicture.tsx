@@ -2,6 +2,7 @@
  * Thumbnail of a mission: its maze, the robot and the idea. Decoration beside the mission's name.
  */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import styles from "./mission-picture.module.css";
 import type { Idea, Mark, Point } from "../../model/lessons/missions/ideas.ts";
@@ -15,8 +16,7 @@ const HEAD_PX = 5;
 const TICK_PX = 3;
 /** Cells between two ticks of a beam. */
 const TICK_EVERY = 0.5;
-/** Radius of the drawn robot in units (canvas/layers/robot.ts). */
-const ROBOT_UNITS = 25;
+/** The outline of the robot as the stage draws it, in units. */
 const BODY = "M-20-8C-20-19-12-25 0-25S20-19 20-8V10C20 19 14 24 6 24H-6C-14 24-20 19-20 10z";
 
 const headings = { north: 0, east: 90, south: 180, west: 270 } as const;
@@ -64,7 +64,7 @@ function IdeaMarks({ maze, idea, px }: { maze: MazeDocument; idea: Idea; px: num
   const { column, row, heading } = maze.start;
   const at: Point = idea.robot?.at ?? [column + 0.5, row + 0.5];
   const turn = idea.robot?.heading ?? headings[heading];
-  const scale = Math.max(0.3, ROBOT_PX * px) / ROBOT_UNITS;
+  const scale = Math.max(0.3, ROBOT_PX * px) / ROBOT_RADIUS;
   const isOver = ({ kind }: Mark) => kind === "badge" || kind === "bump";
   const draw = (mark: Mark, index: number) => <IdeaMark key={index} mark={mark} px={px} />;
   return (

@@ -2,7 +2,7 @@
 import type { RemoteStatus, RemoteTrouble } from "../../simulator/protocol/worker-messages.ts";
 
 /** ms since the last message of a script, after which it counts as quiet instead of connected. */
-const QUIET_AFTER_MS = 5_000;
+export const QUIET_AFTER_MS = 5_000;
 
 export type ConnectionView =
   | { kind: "off" | "connecting" | "waiting" | "paused" }

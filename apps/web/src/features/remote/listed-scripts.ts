@@ -2,11 +2,10 @@
  * Which scripts the panel lists. Their order is stable, so that no row moves away from the pointer.
  */
 import type { ListedScript } from "../../simulator/protocol/worker-messages.ts";
+import { QUIET_AFTER_MS } from "./connection-view.ts";
 
 /** ms of silence after which a script without a connection is no longer listed. */
 const SHOWN_MS = 120_000;
-/** ms of silence after which a script counts as quiet. */
-const QUIET_AFTER_MS = 5_000;
 
 /** @param now ms since 1970 */
 export function shownScripts(scripts: readonly ListedScript[], now: number): ListedScript[] {

@@ -3,13 +3,9 @@
  * forward, all of it after a jump.
  */
 import type { PositionLog } from "@corridor/recording";
-import type { Frame } from "../../stage/drawing/frame.ts";
+import { MAX_BUMPS, MAX_CORNERS, type Frame } from "../../stage/drawing/frame.ts";
 
 type Places = Pick<PositionLog, "countUpTo" | "slice">;
-
-/** Largest number of corners after a jump: as many as are drawn, and fast to draw. */
-const MAX_CORNERS = 20_000;
-const MAX_BUMPS = 100;
 
 export class TrailFeed {
   #corners = 0;

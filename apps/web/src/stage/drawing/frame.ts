@@ -2,6 +2,14 @@
 import type { CellMark, DriverName, Snapshot } from "@corridor/protocol";
 import type { Progress } from "@corridor/simulation";
 
+/**
+ * Largest number of corners that are drawn, the newest. A corner costs two numbers, and one line when
+ * the trail is redrawn. A jump brings no more of them.
+ */
+export const MAX_CORNERS = 20_000;
+/** Largest number of bumps that are marked, the newest. */
+export const MAX_BUMPS = 100;
+
 /** Which tick is displayed: the newest, an earlier one, or a playback towards the newest. */
 export type RunView = "now" | "past" | "playing";
 

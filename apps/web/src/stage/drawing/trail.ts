@@ -1,9 +1,6 @@
-/** discards the oldest corners of a robot that runs for days */
+/** The drawn trail: a polyline that discards its oldest corners when a robot runs for days. */
+import { MAX_CORNERS } from "./frame.ts";
 
-/**
- * Largest number of corners. A corner costs two numbers, and one line when the trail is redrawn.
- */
-const MAX_CORNERS = 20_000;
 /**
  * Number of oldest corners that are discarded at once, because each discard redraws the whole
  * trail.

@@ -12,6 +12,7 @@ import {
   type MazeDocument,
 } from "@corridor/maze";
 import { TICKS_PER_SECOND } from "@corridor/protocol";
+import { DRIVE_STEP, ROBOT_RADIUS } from "@corridor/simulation";
 import { solutionOf, type Solution, type Solutions } from "../../../model/teaching/solution.ts";
 
 export type WarningCode =
@@ -41,8 +42,7 @@ export interface LessonWarning {
 }
 
 /** Speed of `forward`, in units per second. */
-const FULL_SPEED = 100;
-const ROBOT_RADIUS = 25;
+const FULL_SPEED = DRIVE_STEP * TICKS_PER_SECOND;
 
 export function warningsOf(lesson: LessonDocument, solutions: Solutions): LessonWarning[] {
   const unnamed: LessonWarning = { code: "unnamed", task: null, maze: null };
