@@ -9,6 +9,7 @@ import { InputError } from "./input-error.ts";
  * @param run returns the exit code
  */
 export async function runProcess(run: () => Promise<number>): Promise<void> {
+  endWhenUnread();
   try {
     process.exitCode = await run();
   } catch (error) {
@@ -16,6 +17,17 @@ export async function runProcess(run: () => Promise<number>): Promise<void> {
     process.stderr.write(`${error.lines.join("\n")}\n`);
     process.exitCode = 2;
   }
+}
+
+/** The exit code that shells report for a program which SIGPIPE ended. Node.js ignores SIGPIPE. */
+const UNREAD = 141;
+
+/** Ends the process when its reader has enough, such as `head -1`, instead of with a stack trace. */
+function endWhenUnread(): void {
+  process.stdout.on("error", (error: NodeJS.ErrnoException) => {
+    if (error.code !== "EPIPE") throw error;
+    process.exit(UNREAD);
+  });
 }
 
 /** Runs a command or prints its help. @param entry see `Context` @returns its exit code */

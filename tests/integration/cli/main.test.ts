@@ -1,5 +1,6 @@
 /** Runs the command line with real files: in a real process, and its texts in this process. */
-import { spawnSync } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -18,8 +19,9 @@ function file(name: string, content: unknown): string {
   return path;
 }
 
+const main = new URL("../../../apps/cli/src/main.ts", import.meta.url).pathname;
+
 function corridor(...args: string[]): { code: number | null; out: string; errors: string } {
-  const main = new URL("../../../apps/cli/src/main.ts", import.meta.url).pathname;
   const { status, stdout, stderr } = spawnSync(process.execPath, [main, ...args], {
     encoding: "utf8",
   });
@@ -29,6 +31,15 @@ function corridor(...args: string[]): { code: number | null; out: string; errors
 const maze = file("maze.json", generateTree({ columns: 9, rows: 9, seed: 4, name: "Tree" }));
 const rightWall = file("right-wall.json", paperPrograms[1]?.program);
 const wrong = file("wrong.json", paperPrograms[3]?.program);
+
+it("ends without a stack trace when nobody reads its output, as before `| head -1`", async () => {
+  const child = spawn(process.execPath, [main, "--help"]);
+  child.stdout.destroy();
+  let errors = "";
+  child.stderr.setEncoding("utf8").on("data", (text: string) => (errors += text));
+  expect(await once(child, "close")).toEqual([141, null]);
+  expect(errors).toBe("");
+});
 
 describe("help", () => {
   const names = ["simulate", "grade", "report", "maze", "conformance"];
