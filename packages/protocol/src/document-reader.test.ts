@@ -69,6 +69,8 @@ it("a valid JSON text is returned unchanged", () => {
 
 it("reports whether a text is JSON apart from whether it may be read", () => {
   expect(parseJson('{"a":[1]}', 20)).toEqual({ ok: true, value: { a: [1] } });
+  const found = expect.stringMatching(/^text that is not JSON: ./);
+  expect(parseJson("left 90", 20)).toMatchObject({ problems: [{ found }] });
   expect(parseJson("left 90", 20)).toMatchObject({ ok: false, isJson: false });
   expect(parseJson('{"a":1,"a":2}', 20)).toMatchObject({ ok: false, isJson: true });
   expect(parseJson("[1, 2, 3]", 5)).toMatchObject({ ok: false, isJson: true });

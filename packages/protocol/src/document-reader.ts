@@ -68,7 +68,8 @@ export function parseJson(text: string, maxLength: number): ParsedJson {
     value = JSON.parse(text);
   } catch (error) {
     const reason = error instanceof Error ? error.message : "unreadable text";
-    return { ...problem("", shorten(reason), "a JSON document"), isJson: false };
+    const found = `text that is not JSON: ${shorten(reason)}`;
+    return { ...problem("", found, "a JSON document"), isJson: false };
   }
   if (countKeys(text) !== countFields(value)) {
     const expected = "each field once";
