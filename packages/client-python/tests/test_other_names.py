@@ -32,7 +32,7 @@ def test_a_command_of_javascript_names_the_one_of_python(kind: Any, name: str, u
     robot = unconnected(kind)
     with pytest.raises(AttributeError) as error:
         getattr(robot, name)
-    assert str(error.value) == f"'{kind.__name__}' object has no attribute '{name}'. Use {usage}."
+    assert str(error.value) == f"'{kind.__name__}' object has no attribute '{name}'. Use {usage}"
     assert not hasattr(robot, name)
 
 
@@ -43,7 +43,7 @@ def test_a_field_of_javascript_names_the_one_of_python() -> None:
     rest = {"motion": "stop", "bumps": 0, "bumping": False, "goalReached": False, "command": None}
     snapshot: Any = read_snapshot({**seen, **rest, "line": None})
     for owner in (unconnected(Robot), snapshot):
-        with pytest.raises(AttributeError, match="goalReached'. Use goal_reached.$"):
+        with pytest.raises(AttributeError, match="goalReached'. Use goal_reached$"):
             print(owner.goalReached)
 
 
@@ -51,7 +51,7 @@ def test_a_field_of_javascript_names_the_one_of_python() -> None:
 def test_a_rear_sensor_is_the_back_one(kind: Any) -> None:
     with pytest.raises(AttributeError) as error:
         print(unconnected(kind).rear)
-    assert str(error.value) == f"'{kind.__name__}' object has no attribute 'rear'. Use back."
+    assert str(error.value) == f"'{kind.__name__}' object has no attribute 'rear'. Use back"
 
 
 def test_no_hint_names_a_private_part() -> None:
@@ -59,7 +59,14 @@ def test_no_hint_names_a_private_part() -> None:
     script = "from corridor import LiveSensor\nLiveSensor(print).rear\n"
     command = [sys.executable, "-c", script]
     done = subprocess.run(command, env={"PYTHONPATH": str(PACKAGE)}, stderr=subprocess.PIPE, text=True)
-    assert done.stderr.splitlines()[-1].endswith("has no attribute 'rear'. Use back.")
+    assert done.stderr.splitlines()[-1].endswith("has no attribute 'rear'. Use back")
+
+
+def test_a_hint_and_the_most_similar_name_are_sentences_of_their_own() -> None:
+    script = "from corridor import Robot\nRobot.__new__(Robot).goalReached\n"
+    command = [sys.executable, "-c", script]
+    done = subprocess.run(command, env={"PYTHONPATH": str(PACKAGE)}, stderr=subprocess.PIPE, text=True)
+    assert ".." not in done.stderr.splitlines()[-1]
 
 
 def test_any_other_wrong_name_has_no_hint() -> None:

@@ -22,5 +22,6 @@ def no_attribute(owner: object, name: str) -> AttributeError:
     kind = type(owner)
     own, usage = _OTHER_NAMES.get(name, ("", ""))
     is_known = hasattr(kind, own) or own in getattr(kind, "__dataclass_fields__", {})
-    hint = f". Use {usage}." if is_known else ""
+    # Python adds ". Did you mean" and a similar name when it prints the error, so no period here.
+    hint = f". Use {usage}" if is_known else ""
     return AttributeError(f"{kind.__name__!r} object has no attribute {name!r}{hint}")
