@@ -17,6 +17,12 @@ describe("parseRobotAddress", () => {
     expect(parseRobotAddress(text)).toEqual(parts);
   });
 
+  it.each([undefined, null, 12, ["http://HOST"]])("asks for a text in quotes: %j", (value) => {
+    expect(() => parseRobotAddress(value as unknown as string)).toThrow(
+      "This is not a robot's address (bad-address). An address is a text in quotes: copy the whole address from the page, under Remote.",
+    );
+  });
+
   it.each(robotAddresses.bad)("rejects %j", (text) => {
     expect(() => parseRobotAddress(text)).toThrow(expect.objectContaining({ code: "bad-address" }));
   });

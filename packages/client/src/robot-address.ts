@@ -2,15 +2,23 @@
 import { readRobotAddress, type RobotAddress } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 
+const NO_ADDRESS = "This is not a robot's address";
+
 /**
  * Parses a robot's address.
  * @throws ClientError bad-address, with a hint for common mistakes
  */
 export function parseRobotAddress(text: string): RobotAddress {
-  const address = text.trim();
+  const given: unknown = text; // JavaScript passes anything
+  if (typeof given !== "string") {
+    const hint =
+      "An address is a text in quotes: copy the whole address from the page, under Remote.";
+    throw new ClientError("bad-address", NO_ADDRESS, hint);
+  }
+  const address = given.trim();
   const parts = readRobotAddress(address);
   if (parts === null || parts.key === null) {
-    throw new ClientError("bad-address", "This is not a robot's address", hintFor(address));
+    throw new ClientError("bad-address", NO_ADDRESS, hintFor(address));
   }
   return { ...parts, key: parts.key };
 }

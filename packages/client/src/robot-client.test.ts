@@ -6,6 +6,7 @@ import { FakePlatform } from "./testing/fake-platform.ts";
 import { ADDRESS, record } from "./testing/messages.ts";
 
 const WELCOME = { type: "welcome", version: 1, stream: "k3J9x2aB", n: 0, snapshot: null };
+const CLOSED = "Write await before each call, and call close() last. To continue, connect again.";
 const tooLate = {
   type: "/problems/too-late",
   title: "Late",
@@ -50,6 +51,12 @@ async function connected() {
   const keyed = new Map<number, { key: string; command: Order }>();
   return { platform, robot, sent, report, welcome };
 }
+
+it("names connect() if a script calls the constructor, which JavaScript permits", () => {
+  expect(() => void Reflect.construct(RobotClient, [ADDRESS])).toThrow(
+    "new RobotClient() does not connect (bad-command). Use: await RobotClient.connect(address).",
+  );
+});
 
 describe("reset", () => {
   it("resolves when the robot is at its start, and is sent again while the robot accepts none", async () => {
@@ -650,7 +657,8 @@ describe("RobotClient", () => {
     const { platform, robot } = await connected();
     const move = robot.move(10);
     robot.close();
-    await expect(move).rejects.toMatchObject({ code: "closed" });
+    await expect(move).rejects.toMatchObject({ code: "closed", hint: CLOSED });
     expect(platform.socket.isClosed).toBe(true);
+    await expect(robot.move(10)).rejects.toMatchObject({ code: "closed", hint: CLOSED });
   });
 });

@@ -51,7 +51,12 @@ export class RobotClient {
   readonly #connection: DriverConnection;
   readonly #defaults: CommandOptions;
 
-  private constructor(address: string, options: RobotClientOptions) {
+  /** @param options always given by this class; missing if JavaScript calls the constructor */
+  private constructor(address: string, options?: RobotClientOptions) {
+    if (options === undefined) {
+      const usage = "Use: await RobotClient.connect(address).";
+      throw new ClientError("bad-command", "new RobotClient() does not connect", usage);
+    }
     this.#robot = parseRobotAddress(address);
     const { origin, id, key } = this.#robot;
     this.address = `${origin}/r/${id}#${key}`;
@@ -294,7 +299,11 @@ export class RobotClient {
    */
   close(): void {
     this.#connection.close(
-      new ClientError("closed", "The client was closed", "Connect again to continue."),
+      new ClientError(
+        "closed",
+        "The client was closed",
+        "Write await before each call, and call close() last. To continue, connect again.",
+      ),
     );
   }
 
