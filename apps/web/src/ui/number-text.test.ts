@@ -14,6 +14,10 @@ describe("readNumber", () => {
     [".5", 0.5],
     ["0", 0],
     ["-0", 0],
+    ["６０", 60],
+    ["６０．５", 60.5],
+    ["٦٠", 60],
+    ["٦٠٫٥", 60.5],
     ["100000", 100_000],
   ])("reads %j as %d", (text, number) => {
     expect(readNumber(text, distance)).toBe(number);
