@@ -15,6 +15,7 @@ import { useLongPress } from "../../ui/use-long-press.ts";
 import { isProgramRefused, startHint, stepBack, stepOn } from "../../model/run/run-button.ts";
 import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
+import { localNumber } from "../../text/numbers.ts";
 import styles from "./transport.module.css";
 
 interface TransportProps {
@@ -124,7 +125,7 @@ function Reset() {
 }
 
 function SpeedMenu() {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const { simulator, run } = useServices();
   const speed = useStore(run, (state) => state.speed);
   return (
@@ -134,7 +135,7 @@ function SpeedMenu() {
       value={String(speed)}
       options={speeds.map((each) => ({
         value: String(each),
-        label: each === "max" ? t("shell.run.max") : `${each}×`,
+        label: each === "max" ? t("shell.run.max") : `${localNumber(String(each), i18n.language)}×`,
       }))}
       onChange={(value) => {
         const next = speeds.find((each) => String(each) === value);
