@@ -24,6 +24,7 @@ import {
   diagnosisTitle,
   diagnosisWords,
   roomText,
+  statesOtherRoom,
 } from "../../model/diagnosis/diagnosis-text.ts";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
@@ -73,14 +74,14 @@ export function BumpCard({ view, explanation, task, onClose }: BumpCardProps) {
   const { event, cause, fixes } = diagnosis;
   const words = diagnosisWords(t, i18n.language, (at) => timeline.waitedUpTo(at));
   const offered = isSame && hasFixes ? fixes : [];
-  // The bars show the room of the line that drove. Beside a sentence about another line, they would
-  // be misread as the room of that line.
-  const isAboutDriver = cause === null || line === event.line;
+  // The bars show the room of the line that drove. Beside a sentence about another line, or about the
+  // room at another moment, they would be misread as the room of that line or moment.
+  const isAboutDriver = cause === null || (line === event.line && !statesOtherRoom(event, cause));
   const since = cause === null ? event.startedAt : Math.min(event.startedAt, cause.moment.tick);
 
   function take(chosen: Fix) {
     setFixedProgram(workspace, chosen, applyFix(program, chosen));
-    showFixed({ screen, run, simulator, words: i18n });
+    showFixed({ screen, run, workspace, simulator, words: i18n });
     onClose();
   }
 

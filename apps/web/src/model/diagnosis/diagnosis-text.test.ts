@@ -4,7 +4,13 @@ import { describe, expect, it } from "vitest";
 import reasons from "../../text/en/diagnosis.json" with { type: "json" };
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { diagnosisText, diagnosisTitle, diagnosisWords, roomText } from "./diagnosis-text.ts";
+import {
+  diagnosisText,
+  diagnosisTitle,
+  diagnosisWords,
+  roomText,
+  statesOtherRoom,
+} from "./diagnosis-text.ts";
 
 const readings = { front: 49.6, right: 50, back: 250, left: 250 };
 const when = { sensor: "front" as const, is: "<" as const, than: 60 };
@@ -124,6 +130,14 @@ describe("one reading", () => {
     expect(diagnosisText(words, { event, cause, fixes: [] })).toContain("with 49.99 cm in front.");
     expect(roomText(words, event, cause)).toEqual({ reading: "49.99", needs: "75" });
     expect(roomText(words, event, null)).toEqual({ reading: "50", needs: "75" });
+  });
+
+  it("is in the sentence only, if the robot bumped in a later part of the turn", () => {
+    const { event, cause } = justBelow(48, 50, 75);
+    if (event.kind !== "bump" || cause === null) throw new Error("no bump");
+    expect(statesOtherRoom(event, cause)).toBe(false);
+    const wayOut = { ...event, phase: "way-out" as const, startedAt: event.startedAt + 50 };
+    expect(statesOtherRoom({ ...wayOut, needs: 85, reading: 50 }, cause)).toBe(true);
   });
 
   it("is the same number for every reading and every number of the line", () => {

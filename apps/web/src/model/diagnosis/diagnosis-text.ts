@@ -296,6 +296,11 @@ function delayedNeeds(cause: Cause): number | null {
   return cause.detail.needs;
 }
 
+/** Whether the sentence about the cause names the room of a turn that began before the last motion. */
+export function statesOtherRoom(event: BumpEvent, cause: Cause): boolean {
+  return delayedNeeds(cause) !== null && cause.moment.tick !== event.startedAt;
+}
+
 /** "The reading is less than the motion needs", with the needed number as it is displayed. */
 function roomCondition({ side, reading, needs }: BumpEvent): Condition | null {
   return needs === null ? null : { sensor: side, is: "<", than: shownNeeds(reading, needs) };
