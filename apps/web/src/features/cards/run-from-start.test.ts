@@ -2,6 +2,8 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { expect, it } from "vitest";
 import { createRunStore } from "../../model/run/run-store.ts";
 import { createScreenStore } from "../../model/screen/screen-store.ts";
+import { createWorkspaceStore, setProgram, undo } from "../../model/workspace/workspace-store.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import type { ToWorker } from "../../simulator/protocol/worker-messages.ts";
 import { showFixed } from "./run-from-start.ts";
 
@@ -12,9 +14,11 @@ function fixed() {
   const run = createRunStore();
   const paused = snapshotOf({ state: "paused", tick: 300 });
   run.setState({ snapshot: paused, nowTick: 300 });
+  const workspace = createWorkspaceStore(firstMaze, firstProgram);
+  setProgram(workspace, { ...firstProgram, default: "left 90" });
   const simulator = { send: (message: ToWorker) => void sent.push(message) };
-  showFixed({ screen, run, simulator, words: { t: (key: string) => key } as never });
-  return { sent, run, paused, message: () => screen.getState().messages[0] };
+  showFixed({ screen, run, workspace, simulator, words: { t: (key: string) => key } as never });
+  return { sent, run, workspace, paused, message: () => screen.getState().messages[0] };
 }
 
 it("offers a run from the start, for as long as the robot stands at the wall", () => {
@@ -35,5 +39,11 @@ it.each([
 ])("withdraws the offer once the robot $how", ({ change }) => {
   const { run, message } = fixed();
   run.setState(change);
+  expect(message()).toBeUndefined();
+});
+
+it("withdraws the message once Undo reverts the fix", () => {
+  const { workspace, message } = fixed();
+  undo(workspace);
   expect(message()).toBeUndefined();
 });

@@ -2,6 +2,8 @@
 import type { i18n } from "i18next";
 import type { RunStore } from "../../model/run/run-store.ts";
 import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
+import { dismissOnce } from "../../model/workspace/dismiss-once.ts";
+import type { WorkspaceStore } from "../../model/workspace/workspace-store.ts";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 
 type Simulator = Pick<SimulatorClient, "send">;
@@ -15,12 +17,16 @@ export function runFromStart(simulator: Simulator): void {
 interface FixedParts {
   screen: ScreenStore;
   run: RunStore;
+  workspace: WorkspaceStore;
   simulator: Simulator;
   words: Pick<i18n, "t">;
 }
 
-/** Reports the fix, and offers a run from the start while the robot stands where it bumped. */
-export function showFixed({ screen, run, simulator, words }: FixedParts): void {
+/**
+ * Reports the fix, and offers a run from the start. The message disappears when the robot leaves the
+ * place of the bump, or when the program changes: a fix that Undo reverted is not "fixed".
+ */
+export function showFixed({ screen, run, workspace, simulator, words }: FixedParts): void {
   const id = showMessage(screen, {
     tone: "info",
     text: words.t("cards.fix.done"),
@@ -35,4 +41,6 @@ export function showFixed({ screen, run, simulator, words }: FixedParts): void {
     end();
     dismiss(screen, id);
   });
+  const { program: fixed } = workspace.getState();
+  dismissOnce({ screen, workspace }, id, ({ program }) => program !== fixed);
 }

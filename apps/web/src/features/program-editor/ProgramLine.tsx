@@ -20,6 +20,7 @@ import { lineFeed } from "./line-feed.ts";
 import frame from "./line-frame.module.css";
 import { LineNote } from "./LineNotes.tsx";
 import { shownBump, truthAt } from "../../model/run/line-state.ts";
+import { dismissOnce } from "../../model/workspace/dismiss-once.ts";
 import { lineElementId } from "../../model/workspace/focus-line.ts";
 import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
@@ -83,7 +84,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   function remove() {
     if (challenge.getState().rights?.edits.has("lines") === false) return;
     const bringBack = deleteLine(workspace, index);
-    showMessage(screen, {
+    const message = showMessage(screen, {
       tone: "info",
       isOfProject: true,
       text: t("program.deleted", { line }),
@@ -96,6 +97,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
         },
       },
     });
+    dismissOnce({ screen, workspace }, message, ({ lineIds }) => lineIds.includes(id));
     focusNeighbour(workspace.getState().lineIds, index);
   }
 

@@ -4,7 +4,7 @@ import type { DriverName } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { addLine } from "../workspace/program-actions.ts";
 import { createScreenStore } from "../screen/screen-store.ts";
-import { createWorkspaceStore, undo } from "../workspace/workspace-store.ts";
+import { createWorkspaceStore, setProgram, undo } from "../workspace/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
@@ -76,6 +76,19 @@ describe("choosing a maze", () => {
     ]);
     messages[0]?.action?.run();
     expect(workspace.getState().maze).toBe(chosen);
+  });
+
+  it("leaves no message once Undo outside of the message brought the old maze back", () => {
+    const workspace = createWorkspaceStore(firstMaze, firstProgram);
+    const screen = createScreenStore();
+    const simulator = { send: () => undefined };
+    const run = { getState: () => ({ nowDriver: null }) };
+    chooseMaze({ workspace, screen, simulator, run } as never, createI18n(en), chosen);
+    setProgram(workspace, mine);
+    expect(screen.getState().messages).toHaveLength(1);
+    undo(workspace);
+    undo(workspace);
+    expect(screen.getState().messages).toEqual([]);
   });
 
   it("leaves a program that the student has written", () => {

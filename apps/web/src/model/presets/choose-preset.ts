@@ -21,6 +21,7 @@ import {
   type WorkspaceStore,
 } from "../workspace/workspace-store.ts";
 import type { RunStore } from "../run/run-store.ts";
+import { dismissOnce } from "../workspace/dismiss-once.ts";
 import { programForMaze } from "../workspace/own-program.ts";
 
 interface ChoicePorts {
@@ -66,6 +67,8 @@ export function chooseMaze(
       },
     },
   });
+  // Undo is in several places. Once the old maze is back, the new one is no longer open.
+  dismissOnce({ screen, workspace }, message, (now) => now.maze === before.maze);
 }
 
 /** Scripts that drive the robot do not use the program of the page. */

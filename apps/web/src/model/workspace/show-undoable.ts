@@ -1,6 +1,7 @@
 /** Reports a side effect of an edit, with an Undo button while Undo reverts that edit. */
 import type { i18n } from "i18next";
-import { dismiss, showMessage, type ScreenStore } from "../screen/screen-store.ts";
+import { showMessage, type ScreenStore } from "../screen/screen-store.ts";
+import { dismissOnce } from "./dismiss-once.ts";
 import { undo, type WorkspaceStore } from "./workspace-store.ts";
 
 /** Reports on the newest edit. The next edit dismisses the message. */
@@ -15,9 +16,5 @@ export function showUndoable(
     action: { label: words.t("stage.undo"), run: () => undo(workspace) },
   });
   const { maze, program } = workspace.getState();
-  const stop = workspace.subscribe((now) => {
-    if (now.maze === maze && now.program === program) return;
-    stop();
-    dismiss(screen, id);
-  });
+  dismissOnce({ screen, workspace }, id, (now) => now.maze !== maze || now.program !== program);
 }
