@@ -68,7 +68,7 @@ export function parseJson(text: string, maxLength: number): ParsedJson {
     value = JSON.parse(text);
   } catch (error) {
     const reason = error instanceof Error ? error.message : "unreadable text";
-    const found = `text that is not JSON: ${shorten(reason)}`;
+    const found = shorten(`text that is not JSON: ${reason}`);
     return { ...problem("", found, "a JSON document"), isJson: false };
   }
   if (countKeys(text) !== countFields(value)) {
