@@ -115,7 +115,8 @@ async function showsTextsOfDocumentation(page: Page, address: string): Promise<v
   const docs = await page.context().newPage();
   await docs.goto("/docs#connect");
   await expect(docs.getByRole("heading", { name: "Connect" })).toBeInViewport();
-  const blocks = await docs.locator(".panel pre").allTextContents();
+  // A build file may be below the text.
+  const blocks = await docs.locator(".panel pre:first-of-type").allTextContents();
   const [id, key] = [pathname.slice("/r/".length), hash.slice(1)];
   const urlKey = /url_[\w-]+/.exec(copied.join("\n"))?.[0] ?? "";
   const own = (text: string): string =>

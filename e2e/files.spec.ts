@@ -274,7 +274,7 @@ test("saves a picture and the run, and opens the run again", async ({ corridor, 
 
     await corridor.choosePreset("Spiral");
     await (await dragOver(page, [{ name: "a.run.json", text }])).drop();
-    await expect(corridor.message(/^This is a recorded run/)).toBeVisible();
+    await expect(corridor.message(/^A recorded run/)).toBeVisible();
     await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
     // A run with a wrong digest is rejected, and the project stays open.
     const changed = JSON.stringify({ ...JSON.parse(text), digest: "0".repeat(64) });

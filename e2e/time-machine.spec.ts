@@ -202,7 +202,7 @@ test("goes back decision by decision, and returns to now", async ({
 
     const recipient = await openWindow(smallWindow);
     await recipient.open(link);
-    await expect(recipient.message(/^This is a recorded run/)).toBeVisible();
+    await expect(recipient.message(/^A recorded run/)).toBeVisible();
     await expect(recipient.timeline.pastLabel).toBeVisible();
     await expect(recipient.clock).toHaveText("Time 0:00.0");
     await recipient.speed.selectOption("8×");
