@@ -17,7 +17,7 @@ Actions of act
 - The record says how a command ended: completed; collided (it touched a wall); cancelled, superseded or expired (with a reason).
 
 Rules
-- Give each act a new key, such as "step-0001", but with four random letters of yours for this conversation instead of step: keys of earlier conversations are used up. If an answer is lost, send the same act with the same key: the robot does not move twice.
+- Give each act a new key, such as "step-0001", and replace "step" by four random letters that you choose for this conversation: keys of earlier conversations are used up. If an answer is lost, send the same act with the same key: the robot does not move twice.
 - One act at a time: sense, decide, act. The answer of act contains the sensors after it, so you need no sense between.
 - If a tool answers with an error, read its sentence. Do not repeat a refused act without a change.
 
