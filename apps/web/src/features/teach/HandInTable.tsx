@@ -10,7 +10,7 @@ import { saveFile } from "../../ui/save-file.ts";
 import type { HandInCheck } from "./check-hand-ins.ts";
 import { HandInTableRow } from "./HandInTableRow.tsx";
 import { handInsCsv } from "./hand-ins-csv.ts";
-import { otherLessonNames } from "./other-lesson-names.ts";
+import { hasOtherLesson, otherLessonNames } from "./other-lesson-names.ts";
 import styles from "./hand-in-table.module.css";
 
 interface HandInTableProps {
@@ -23,12 +23,8 @@ export function HandInTable({ check, lessons }: HandInTableProps) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const rows = useStore(check.store, (state) => state.rows);
   const isRunning = useStore(check.store, ({ state }) => state === "running");
-  // Rows of unreadable hand-ins are there from the beginning of a check.
-  const lessonNames = useMemo(
-    () => otherLessonNames(check.store.getState().rows, lessons),
-    // oxlint-disable-next-line react/exhaustive-deps -- once for each check
-    [check, lessons, isRunning],
-  );
+  const hasOther = hasOtherLesson(rows);
+  const lessonNames = useMemo(() => otherLessonNames(hasOther, lessons), [hasOther, lessons]);
   if (rows.length === 0) return null;
   const tasks = new Set(rows.map(({ checked }) => (checked.ok ? checked.task.number : null)));
   tasks.delete(null);

@@ -6,7 +6,7 @@ import type { SavedLesson } from "../../model/teaching/saved-lessons.ts";
 import teach from "../../text/en/teach.json" with { type: "json" };
 import type { HandInRow } from "./check-hand-ins.ts";
 import { entriesOf } from "./hand-in-entries.ts";
-import { otherLessonNames } from "./other-lesson-names.ts";
+import { hasOtherLesson, otherLessonNames } from "./other-lesson-names.ts";
 import { problemSentence } from "./problem-sentence.ts";
 import { programOf, sampleLesson } from "./testing/sample-lesson.ts";
 
@@ -25,7 +25,7 @@ it("a code of another lesson of this device names that lesson, any other does no
   await i18next.init({ lng: "en", resources: { en: { teach } } });
   const sentences = [lessonMark(other), "000000000"].map((mark) => {
     const row = rowOf(mark);
-    const names = otherLessonNames([row], lessons);
+    const names = otherLessonNames(hasOtherLesson([row]), lessons);
     return row.checked.ok
       ? ""
       : problemSentence(i18next.getFixedT("en", "teach"), row.checked, names);
@@ -38,6 +38,6 @@ it("a code of another lesson of this device names that lesson, any other does no
 
 it("no lesson is read while every code belongs to the open lesson", () => {
   const list = vi.fn<() => SavedLesson[]>(() => []);
-  otherLessonNames([], { list });
+  otherLessonNames(hasOtherLesson([]), { list });
   expect(list).not.toHaveBeenCalled();
 });

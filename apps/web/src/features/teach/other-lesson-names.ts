@@ -4,12 +4,19 @@ import { lessonName } from "../../model/lessons/lesson-name.ts";
 import type { SavedLessons } from "../../model/teaching/saved-lessons.ts";
 import type { HandInRow } from "./check-hand-ins.ts";
 
-/** @returns names by the mark of the lesson, for the codes among the rows */
+/** Whether a code among the rows belongs to another lesson. */
+export function hasOtherLesson(rows: readonly HandInRow[]): boolean {
+  return rows.some(({ checked }) => !checked.ok && checked.code === "other-lesson");
+}
+
+/**
+ * @param hasOther see `hasOtherLesson`; without such a code, no lesson is read
+ * @returns names by the mark of the lesson
+ */
 export function otherLessonNames(
-  rows: readonly HandInRow[],
+  hasOther: boolean,
   lessons: Pick<SavedLessons, "list">,
 ): ReadonlyMap<string, string> {
-  const hasOther = rows.some(({ checked }) => !checked.ok && checked.code === "other-lesson");
   // The marks of all lessons take time to calculate.
   if (!hasOther) return new Map();
   return new Map(

@@ -74,8 +74,9 @@ function watch(robot: WatchedRobot | null): void {
     },
     onMarks: (received) => {
       marks.add(received);
-      if (!hasMarks && received.cells.length > 0) post({ type: "watch-marks" });
-      hasMarks ||= received.cells.length > 0;
+      if (hasMarks || received.cells.length === 0) return;
+      hasMarks = true;
+      post({ type: "watch-marks" });
     },
     onMaze: (text) => {
       const read = text === null ? null : readMaze(text);
