@@ -41,7 +41,7 @@ const python = check("Python test tools", requirePythonTools)
   ? testStage("python", [...pythonTests], parseJunitReport, "pipe")
   : null;
 if (python === null) add("python", { passed: 0, failed: 1, skipped: 0 });
-await stage("types", ["tsc", "-b"]);
+await stage("types", ["npm", "run", "--silent", "typecheck"]);
 await stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
 const isBuilt = await stage("build", ["npm", "run", "build"]);
 await python;
