@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { BaseSequencer, type TestSpecification } from "vitest/node";
 import { components } from "./apps/web/components.config.ts";
 
 const report = process.env["VITEST_JSON_REPORT"];
@@ -8,8 +9,23 @@ const integration = `${folders}/**/*.integration.test.ts`;
 const exhaustive = `${folders}/**/*.exhaustive.test.ts`;
 const exclude = ["**/node_modules/**", "**/dist/**"];
 
+/**
+ * Short files that take over half a minute. Vitest starts large files first, so without this list they
+ * run last, and most of the machine waits for them.
+ */
+const longTests = /\/(delivery-faults|right-wall|bad-network|cxf|conformance\/gateways)\./;
+
+class LongTestsFirst extends BaseSequencer {
+  override async sort(files: TestSpecification[]): Promise<TestSpecification[]> {
+    const bySize = await super.sort(files);
+    const isLong = ({ moduleId }: TestSpecification): boolean => longTests.test(moduleId);
+    return [...bySize.filter(isLong), ...bySize.filter((file) => !isLong(file))];
+  }
+}
+
 export default defineConfig({
   test: {
+    sequence: { sequencer: LongTestsFirst },
     // By default one core is left idle, which on CI's two cores is half of the machine.
     maxWorkers: "100%",
     projects: [
