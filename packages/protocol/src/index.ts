@@ -10,6 +10,7 @@ export {
   type ReadResult,
 } from "./document-reader.ts";
 export { accessProblems, BLOCKED_SCRIPT, UNKNOWN_ROBOT, WRONG_KEY } from "./access-problems.ts";
+export { MAX_CLOCK_DRIFT } from "./clock-drift.ts";
 export { closeReasonOf, closeReasons, type CloseReason } from "./close-codes.ts";
 export {
   classCodeSchema,

@@ -3,6 +3,7 @@
  * ends by itself. Clients store what they send while they are disconnected, and send all of it at once
  * later.
  */
+import { MAX_CLOCK_DRIFT } from "./clock-drift.ts";
 import type { Order } from "./order.ts";
 import { LEASE_MS } from "./term-bounds.ts";
 import type { Timers } from "./timers.ts";
@@ -22,11 +23,6 @@ const SETTLE_MS = 50;
 /** More messages than this in `SETTLE_MS` were stored. */
 const MAX_SETTLING = 3;
 const MAX_DELAY_MS = 500;
-/**
- * The clock here counts as slower by this share, so that no drift between two clocks makes the
- * messages of a long session late. Crystals of computers differ by 0.0001 at most.
- */
-const LARGEST_DRIFT = 0.0002;
 /** Stamps that are late for this time, but advance like the clock here, show a clock that was set. */
 const CLOCK_SET_MS = 1_000;
 /** What is stored arrives faster than it was sent, by more than this within `CLOCK_SET_MS`. */
@@ -162,7 +158,7 @@ export class MotionRegister {
     // Simulated time passes at another rate than the clock here.
     if (isSimulated) return stampMs < this.#simulatedBefore();
     const at = this.#options.timers.now();
-    const offset = stampMs - at * (1 - LARGEST_DRIFT);
+    const offset = stampMs - at * (1 - MAX_CLOCK_DRIFT);
     this.#offset = Math.max(this.#offset, offset);
     if (offset >= this.#offset - MAX_DELAY_MS) {
       this.#lateSince = null;

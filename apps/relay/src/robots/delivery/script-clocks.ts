@@ -3,6 +3,7 @@
  * run on different computers, so each one names its clock with an id. A connection belongs to one
  * script, and so to one clock.
  */
+import { MAX_CLOCK_DRIFT } from "@corridor/protocol";
 import { limits } from "../../platform/limits/limits.ts";
 
 /** A time of a script's own monotonic clock, from the header `Script-Clock`. */
@@ -43,13 +44,6 @@ export class ScriptClocks {
 }
 
 /**
- * Assumed maximum drift between the sender's clock and the relay's, as a share of the elapsed time.
- * Crystals of computers differ by 0.0001 at most. So drift alone never makes a message of a long
- * session look late. The error for the fastest message is 18 ms a minute at most.
- */
-const LARGEST_DRIFT = 0.0002;
-
-/**
  * Estimates the transit time of one sender's messages. It never compares the clocks of sender and
  * relay. It only measures how much later than the fastest message another one arrived.
  */
@@ -68,7 +62,7 @@ export class TransitEstimate {
    */
   measure(sentAt: number, arrivedAt: number): number {
     // Counts the relay's time slightly slow, so that drift only lowers the offset.
-    const offset = arrivedAt * (1 - LARGEST_DRIFT) - sentAt;
+    const offset = arrivedAt * (1 - MAX_CLOCK_DRIFT) - sentAt;
     this.#offset = Math.min(this.#offset, offset);
     return Math.round(offset - this.#offset);
   }
