@@ -1,5 +1,8 @@
 /** The robot from above as an icon. Nothing else has a face. */
+import { ROBOT_BODY, ROBOT_HALF } from "./robot-outline.ts";
 import styles from "./robot-face.module.css";
+
+const VIEW_BOX = `${-ROBOT_HALF} ${-ROBOT_HALF} ${2 * ROBOT_HALF} ${2 * ROBOT_HALF}`;
 
 interface RobotFaceProps {
   /** width in px */
@@ -10,19 +13,10 @@ interface RobotFaceProps {
 
 export function RobotFace({ size, mood = "driving", className }: RobotFaceProps) {
   return (
-    <svg
-      className={className}
-      width={size}
-      height={size}
-      viewBox="-28 -28 56 56"
-      aria-hidden="true"
-    >
+    <svg className={className} width={size} height={size} viewBox={VIEW_BOX} aria-hidden="true">
       <rect className={styles["wheel"]} x="-26" y="-15" width="9" height="30" rx="4.5" />
       <rect className={styles["wheel"]} x="17" y="-15" width="9" height="30" rx="4.5" />
-      <path
-        className={styles["body"]}
-        d="M-20-8C-20-19-12-25 0-25S20-19 20-8V10C20 19 14 24 6 24H-6C-14 24-20 19-20 10z"
-      />
+      <path className={styles["body"]} d={ROBOT_BODY} />
       <rect className={styles["visor"]} x="-15" y="-17" width="30" height="15" rx="7.5" />
       {mood === "driving" ? (
         <>

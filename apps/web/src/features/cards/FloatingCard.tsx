@@ -17,14 +17,13 @@ import { viewX, viewY, viewportAt, type Box, type Viewport } from "../../stage/d
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
+import { ROBOT_HALF } from "../../ui/robot-outline.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import { overlap, placeCard, placeCardAway, type CardPlace } from "./card-place.ts";
 import styles from "./cards.module.css";
 import { trailEnd, type TrailSide } from "./trail-end.ts";
 
-/** Half of the robot's width as it is drawn, in units. */
-const ROBOT_HALF = 28;
 /** Stages too narrow or too low for a card beside the robot: phones in portrait and landscape. */
 const SMALL = "(max-width: 37.49em), (max-height: 33.75em)";
 /** Half of the tail's side, in px. */

@@ -4,6 +4,7 @@
 import { sizeOf, type MazeDocument } from "@corridor/maze";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
+import { ROBOT_BODY } from "../../ui/robot-outline.ts";
 import styles from "./mission-picture.module.css";
 import type { Idea, Mark, Point } from "../../model/lessons/missions/ideas.ts";
 
@@ -16,8 +17,6 @@ const HEAD_PX = 5;
 const TICK_PX = 3;
 /** Cells between two ticks of a beam. */
 const TICK_EVERY = 0.5;
-/** The outline of the robot as the stage draws it, in units. */
-const BODY = "M-20-8C-20-19-12-25 0-25S20-19 20-8V10C20 19 14 24 6 24H-6C-14 24-20 19-20 10z";
 
 const headings = { north: 0, east: 90, south: 180, west: 270 } as const;
 
@@ -72,7 +71,7 @@ function IdeaMarks({ maze, idea, px }: { maze: MazeDocument; idea: Idea; px: num
       {idea.marks.filter((mark) => !isOver(mark)).map(draw)}
       <g transform={`translate(${at[0]} ${at[1]}) rotate(${turn}) scale(${scale})`}>
         <rect className={styles["wheel"]} x={-26} y={-15} width={52} height={30} rx={4.5} />
-        <path className={styles["body"]} d={BODY} />
+        <path className={styles["body"]} d={ROBOT_BODY} />
         <rect className={styles["visor"]} x={-15} y={-17} width={30} height={15} rx={7.5} />
         <circle className={styles["eye"]} cx={-7.5} cy={-9.5} r={3.5} />
         <circle className={styles["eye"]} cx={7.5} cy={-9.5} r={3.5} />

@@ -5,11 +5,10 @@
 import { viewportAt, viewX, viewY } from "../../stage/drawing/viewport.ts";
 import type { RunStore } from "../../model/run/run-store.ts";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
+import { ROBOT_HALF } from "../../ui/robot-outline.ts";
 
 /** How far a message extends into the drawing area, and to either side of its middle, in px. */
 const REACH = { upper: 120, lower: 112, aside: 320 };
-/** Half of the robot's drawn width, in units. */
-const ROBOT_HALF = 28;
 
 export type RobotSide = "upper" | "lower" | null;
 

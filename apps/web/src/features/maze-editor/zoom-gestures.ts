@@ -1,10 +1,6 @@
 /** Zooms the stage around the position of the pointer: Ctrl and the wheel, or two fingers. */
 import type { Point, ZoomBy } from "../../stage/page/stage-zoom.ts";
-
-/** One notch of a wheel, 100 pixels, zooms by a quarter. */
-const WHEEL = Math.log(1.25) / 100;
-/** Maximum delta of one event: a trackpad's pinch sends small deltas, a wheel large ones. */
-const MOST_DELTA = 100;
+import { wheelZoom } from "../../ui/wheel-zoom.ts";
 
 type Zoom = (by: ZoomBy, at: Point) => void;
 
@@ -21,8 +17,7 @@ export function listenToZoom(element: HTMLElement, zoom: Zoom): () => void {
     (event) => {
       if (!event.ctrlKey && !event.metaKey) return;
       event.preventDefault();
-      const delta = Math.max(-MOST_DELTA, Math.min(MOST_DELTA, event.deltaY));
-      zoom({ factor: Math.exp(-delta * WHEEL) }, placeOf(event.clientX, event.clientY));
+      zoom({ factor: wheelZoom(event) }, placeOf(event.clientX, event.clientY));
     },
     options,
   );

@@ -2,6 +2,7 @@
  * Input that zooms and moves a timeline: Ctrl and the wheel, a horizontal wheel, two fingers, and
  * the keys + - 0.
  */
+import { wheelZoom } from "../../ui/wheel-zoom.ts";
 
 export interface ZoomActions {
   /** zooms around a position, as a share of the width from 0 to 1 */
@@ -14,9 +15,6 @@ export interface ZoomActions {
   pinch: (isPinching: boolean) => void;
 }
 
-/** One notch of a wheel, 100 pixels, zooms by a quarter, which is the maximum of one event. */
-const WHEEL = Math.log(1.25) / 100;
-const MOST_DELTA = 100;
 /** Zoom factor of one press of a key or a button. */
 export const ZOOM_STEP = 2;
 
@@ -48,8 +46,7 @@ export function listenToTimelineZoom(
     (event) => {
       if (event.ctrlKey || event.metaKey) {
         event.preventDefault();
-        const delta = Math.max(-MOST_DELTA, Math.min(MOST_DELTA, event.deltaY));
-        zoom(Math.exp(-delta * WHEEL), shareOf(event.clientX));
+        zoom(wheelZoom(event), shareOf(event.clientX));
         return;
       }
       const sideways = event.shiftKey && event.deltaX === 0 ? event.deltaY : event.deltaX;

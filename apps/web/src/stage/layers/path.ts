@@ -9,6 +9,7 @@ import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { delayedPath } from "./path-ahead.ts";
 import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
+import { ROBOT_HALF } from "../../ui/robot-outline.ts";
 import { traceBody } from "./robot.ts";
 
 /** Radius in units of the bend at the turning point. */
@@ -78,7 +79,7 @@ export function drawOutline(
 ): void {
   const x = viewX(viewport, pose.x);
   const y = viewY(viewport, pose.y);
-  const reach = 28 * viewport.scale;
+  const reach = ROBOT_HALF * viewport.scale;
   dirty.add(x - reach, y - reach, 2 * reach, 2 * reach);
   context.save();
   context.translate(x, y);

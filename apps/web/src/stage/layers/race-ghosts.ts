@@ -9,13 +9,12 @@ import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
+import { ROBOT_HALF } from "../../ui/robot-outline.ts";
 import { fillBody, traceBody } from "./robot.ts";
 
 /** Pixels. */
 export const BADGE_RADIUS = 9;
 const OUTLINE = 2;
-/** Units from the centre to the corner of the body, including its outline. */
-const REACH = 28;
 /** Pixels between the centres of two badges beside each other. */
 const BADGE_PITCH = 2 * BADGE_RADIUS + 1;
 const DIAGONAL = Math.SQRT1_2;
@@ -50,7 +49,7 @@ function drawBody(
   const { scale } = viewport;
   const atX = viewX(viewport, x);
   const atY = viewY(viewport, y);
-  const reach = REACH * scale + OUTLINE;
+  const reach = ROBOT_HALF * scale + OUTLINE;
   dirty.add(atX - reach, atY - reach, 2 * reach, 2 * reach);
   context.save();
   context.translate(atX, atY);

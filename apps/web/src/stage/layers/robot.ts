@@ -7,6 +7,7 @@ import type { Snapshot } from "@corridor/protocol";
 import type { DrawingContext, VectorContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
+import { ROBOT_BODY } from "../../ui/robot-outline.ts";
 import { svgPath } from "../drawing/svg-path.ts";
 import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 
@@ -18,7 +19,6 @@ export function faceOf(snapshot: Pick<Snapshot, "bumping" | "goalReached">): Fac
   return snapshot.goalReached ? "solved" : "driving";
 }
 
-const BODY = "M-20-8C-20-19-12-25 0-25S20-19 20-8V10C20 19 14 24 6 24H-6C-14 24-20 19-20 10z";
 const faces: Record<
   Face,
   { eyes: string; eyesWidth: number; mouth: string; isMouthOpen: boolean }
@@ -68,7 +68,7 @@ function shapesOf(face: Face): Shapes {
   let known = shapes.get(face);
   if (known === undefined) {
     const { eyes, mouth } = faces[face];
-    known = { body: svgPath(BODY), eyes: svgPath(eyes), mouth: svgPath(mouth) };
+    known = { body: svgPath(ROBOT_BODY), eyes: svgPath(eyes), mouth: svgPath(mouth) };
     shapes.set(face, known);
   }
   return known;

@@ -9,7 +9,7 @@ import { Button, IconButton } from "../../../ui/Button.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../../ui/Popover.tsx";
 import { Segmented } from "../../../ui/Segmented.tsx";
-import { emptyMaze } from "../lessons/new-lesson.ts";
+import { emptyTaskMaze } from "../lessons/new-lesson.ts";
 import { useDraft, useOpenTask } from "./draft-context.ts";
 import styles from "./maze-panel.module.css";
 import { UnseenMazes } from "./UnseenMazes.tsx";
@@ -72,7 +72,7 @@ function AddMaze({ isFull }: { isFull: boolean }) {
       <Popover {...menu.panel} label={t("lessonEditor:mazes.add")}>
         <MenuItem
           icon={<Icon of={SquareDashed} />}
-          onSelect={() => draft.addMaze(emptyMaze(t("teach:make.mazeName")))}
+          onSelect={() => draft.addMaze(emptyTaskMaze(t("teach:make.mazeName")))}
         >
           {t("teach:make.empty.name")}
         </MenuItem>

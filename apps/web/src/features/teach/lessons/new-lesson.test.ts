@@ -2,15 +2,15 @@ import { parseLesson } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { programOf } from "../testing/sample-lesson.ts";
 import { corridor } from "../testing/teacher-task.ts";
-import { emptyMaze, lessonOfMaze, newTask } from "./new-lesson.ts";
+import { emptyTaskMaze, lessonOfMaze, newTask } from "./new-lesson.ts";
 
 describe("a new task", () => {
   it("asks for a program, because a drive by hand passes without a line", () => {
-    expect(newTask(emptyMaze("Empty"), "Task 1").allowed.drivers).toEqual(["program"]);
+    expect(newTask(emptyTaskMaze("Empty"), "Task 1").allowed.drivers).toEqual(["program"]);
   });
 
   it("hides no tool and no help", () => {
-    expect(newTask(emptyMaze("Empty"), "Task 1").allowed).toMatchObject({
+    expect(newTask(emptyTaskMaze("Empty"), "Task 1").allowed).toMatchObject({
       tools: null,
       help: null,
     });

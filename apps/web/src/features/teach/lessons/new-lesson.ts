@@ -1,24 +1,16 @@
 /** The lessons with which a teacher begins. */
 import { lessonOf, type LessonDocument, type LessonTask } from "@corridor/challenge";
 import type { LinkContent } from "@corridor/link";
-import type { MazeDocument } from "@corridor/maze";
+import { sizeOf, type MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import { missionDocument } from "../../../model/lessons/mission-document.ts";
 import type { Mission } from "../../../model/lessons/missions/mission.ts";
+import { emptyMaze } from "../../../model/workspace/empty-maze.ts";
 
-const COLUMNS = 11;
-const ROWS = 7;
-
-/** A maze without blocks: the start is at the bottom left, the goal at the top right. */
-export function emptyMaze(name: string): MazeDocument {
-  return {
-    format: "corridor/maze",
-    version: 1,
-    name,
-    blocks: Array.from({ length: ROWS }, () => ".".repeat(COLUMNS)),
-    start: { column: 0, row: ROWS - 1, heading: "east" },
-    goals: [{ column: COLUMNS - 1, row: 0 }],
-  };
+/** A maze without blocks, with the goal in the corner opposite the start. */
+export function emptyTaskMaze(name: string): MazeDocument {
+  const maze = emptyMaze(name);
+  return { ...maze, goals: [{ column: sizeOf(maze).columns - 1, row: 0 }] };
 }
 
 /** A task in one maze, in which students write a program of their own. */

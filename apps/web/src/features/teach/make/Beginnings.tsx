@@ -15,7 +15,7 @@ import { chooseFiles } from "../../../ui/incoming-files.ts";
 import { MazePicture } from "../../../ui/MazePicture.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { LessonProblemNote } from "../lessons/LessonProblemNote.tsx";
-import { emptyMaze, missionLesson, newLesson, newTask } from "../lessons/new-lesson.ts";
+import { emptyTaskMaze, missionLesson, newLesson, newTask } from "../lessons/new-lesson.ts";
 import { study2013, studyMissions } from "../lessons/study-2013.ts";
 import { openMaze } from "./begin-lesson.ts";
 import styles from "./make-lesson.module.css";
@@ -58,7 +58,7 @@ export function Beginnings(props: BeginningsProps) {
           note={t("teach:make.empty.note")}
           picture={<Icon of={SquareDashed} />}
           onChoose={() =>
-            onBegin(newLesson(newTask(emptyMaze(t("teach:make.mazeName")), task), ""))
+            onBegin(newLesson(newTask(emptyTaskMaze(t("teach:make.mazeName")), task), ""))
           }
         />
         <Beginning
