@@ -8,6 +8,7 @@
 import {
   encodeFrame,
   hasEnded,
+  isVelocity,
   TTL_MS,
   type CommandRecord,
   type Order,
@@ -285,10 +286,4 @@ export class CommandQueue {
     this.#queue.push(pending);
     this.#sendFirst();
   }
-}
-
-/** A drive without an end. */
-function isVelocity(order: Order): boolean {
-  const isEndless = order.action === "drive" && order.milliseconds === undefined;
-  return isEndless && order.until === undefined;
 }

@@ -106,6 +106,15 @@ export type RemoteCommand = (Command | { action: "reset" }) & {
   until?: UntilCondition[] | undefined;
 };
 
+/**
+ * Whether it is a velocity, of which only the newest value counts: a drive without an end. Only the
+ * next velocity renews its lease.
+ */
+export function isVelocity(command: RemoteCommand): boolean {
+  const isEndless = command.action === "drive" && command.milliseconds === undefined;
+  return isEndless && command.until === undefined;
+}
+
 /** A command with an action that this version does not know. */
 export const otherCommandSchema = z.looseObject({ action: recordActionSchema });
 

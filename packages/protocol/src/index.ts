@@ -86,6 +86,7 @@ export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./co
 export {
   actionNames,
   commandSchema,
+  isVelocity,
   otherCommandSchema,
   plainActions,
   remoteActionNames,

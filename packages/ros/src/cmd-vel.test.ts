@@ -106,17 +106,17 @@ describe("/cmd_vel", () => {
   });
 
   it("sends the value that waits when its client disconnects, unless the connection is lost", async () => {
-    const sentBy = async (end: "leave" | "close"): Promise<unknown> => {
+    const sentBy = async (code: number): Promise<unknown> => {
       const client = await RosClient.connect();
       await client.drive(0.1);
       await client.drive(0.2);
-      client.session[end]();
+      client.session.disconnected(code);
       await client.timers.pass(1_000);
       return powers(client);
     };
     const first = [0.1 / 2.61, 0.1 / 2.61];
-    expect(await sentBy("leave")).toEqual([first, [0.2 / 2.61, 0.2 / 2.61]]);
-    expect(await sentBy("close")).toEqual([first]);
+    expect(await sentBy(1000)).toEqual([first, [0.2 / 2.61, 0.2 / 2.61]]);
+    expect(await sentBy(1006)).toEqual([first]);
   });
 
   describe("of a stream that falls silent", () => {

@@ -43,6 +43,9 @@ export interface RosSessionOptions {
   onEnd(error: RefusedError): void;
 }
 
+/** Codes with which a client closes its connection: normal, going away, none. */
+const CLOSED_BY_CLIENT: readonly number[] = [1000, 1001, 1005];
+
 export class RosSession {
   readonly #options: RosSessionOptions;
   readonly #view: RobotView;
@@ -134,9 +137,13 @@ export class RosSession {
     return false;
   }
 
-  /** Closes the session of a client that closed its connection, and sends nothing more. */
-  leave(): void {
-    this.#velocity.finish();
+  /**
+   * Closes the session after its connection. If the client closed it, nothing newer follows, so a
+   * velocity that waits is sent.
+   * @param code of the close frame (RFC 6455)
+   */
+  disconnected(code: number): void {
+    if (CLOSED_BY_CLIENT.includes(code)) this.#velocity.finish();
     this.close();
   }
 

@@ -4,15 +4,16 @@
  */
 import { randomUUID } from "node:crypto";
 import type { MarkingPort } from "@corridor/client/bridge";
-import type {
-  CommandRecord,
-  Marks,
-  Order,
-  PublishedMaze,
-  RefusedError,
-  RobotListener,
-  RobotPort,
-  Snapshot,
+import {
+  isVelocity,
+  type CommandRecord,
+  type Marks,
+  type Order,
+  type PublishedMaze,
+  type RefusedError,
+  type RobotListener,
+  type RobotPort,
+  type Snapshot,
 } from "@corridor/protocol";
 import { clock } from "./clock.ts";
 import { OwnCommands } from "./own-commands.ts";
@@ -48,8 +49,8 @@ export class BridgedRobot {
   }
 
   /** @returns a port for one program; its `close` ends motions of this program without an end */
-  openPort(): RobotPort {
-    return new ProgramPort(this.#port, this.#commands);
+  openPort(options: ProgramPortOptions = {}): RobotPort {
+    return new ProgramPort(this.#port, this.#commands, options);
   }
 
   /** Draws marks over the maze in the page. */
@@ -70,14 +71,25 @@ export class BridgedRobot {
   }
 }
 
+interface ProgramPortOptions {
+  /** whether `close` leaves a velocity to its lease, as at the relay; default: it ends the velocity */
+  keepsVelocities?: boolean;
+}
+
 class ProgramPort implements RobotPort {
   readonly #port: RobotPort;
   readonly #commands: OwnCommands;
+  readonly #keepsVelocities: boolean;
   readonly #leave = new Set<() => void>();
 
-  constructor(port: RobotPort, commands: OwnCommands) {
+  constructor(
+    port: RobotPort,
+    commands: OwnCommands,
+    { keepsVelocities = false }: ProgramPortOptions,
+  ) {
     this.#port = port;
     this.#commands = commands;
+    this.#keepsVelocities = keepsVelocities;
   }
 
   get capability(): RobotPort["capability"] {
@@ -119,7 +131,9 @@ class ProgramPort implements RobotPort {
   close(): void {
     for (const leave of this.#leave) leave();
     this.#leave.clear();
-    void cancelAll(this.#port, this.#commands.seqsOf(this, isEndless));
+    const isMeant = (order: Order): boolean =>
+      isEndless(order) && !(this.#keepsVelocities && isVelocity(order));
+    void cancelAll(this.#port, this.#commands.seqsOf(this, isMeant));
   }
 }
 

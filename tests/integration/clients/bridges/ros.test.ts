@@ -100,11 +100,24 @@ describe("corridor ros", () => {
     expect(await client.closed).toMatchObject({ code: 1001 });
   });
 
+  it("drives by a single velocity whose client disconnects at once", async () => {
+    const { url, page } = await bridgedRobot();
+    const driver = await RosClient.open(url);
+    driver.send(velocity(0.261));
+    driver.close();
+    await driver.closed;
+    // Nothing cancels it: its lease ends it.
+    await expect
+      .poll(() => page.robot.done)
+      .toEqual([expect.objectContaining({ action: "drive", left: 0.1, right: 0.1 })]);
+    expect(page.running).toBe(0);
+  });
+
   it("ends a motion without an end when its client disconnects", async () => {
     const { url, page } = await bridgedRobot();
     page.endsCommands = false;
     const driver = await RosClient.open(url);
-    driver.send(velocity(0.5));
+    driver.send(goal("/do", { action: "forward" }));
     await expect.poll(() => page.running).toBe(1);
     driver.close();
     await driver.closed;

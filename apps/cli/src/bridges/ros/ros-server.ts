@@ -72,7 +72,7 @@ function serveClient(robot: BridgedRobot, socket: WebSocket): void {
   socket.on("error", () => undefined);
   try {
     const session = new RosSession({
-      port: robot.openPort(),
+      port: robot.openPort({ keepsVelocities: true }),
       timers: clock,
       send: (text) => {
         if (socket.bufferedAmount <= MAX_UNSENT) return socket.send(text);
@@ -93,7 +93,7 @@ function serveClient(robot: BridgedRobot, socket: WebSocket): void {
     });
     // ROS# sends its JSON as binary messages.
     socket.on("message", (data: Buffer) => void session.receive(data.toString()));
-    socket.on("close", () => session.close());
+    socket.on("close", (code: number) => session.disconnected(code));
   } catch (error) {
     if (!(error instanceof RefusedError)) throw error;
     close(closeReasonFor(error.problem), error.message);

@@ -16,8 +16,6 @@ import type { WsPort } from "../websocket/ws-port.ts";
 
 /** Timeout for a key. */
 const AUTH_MS = 2_000;
-/** Codes with which a client closes its connection (RFC 6455): normal, going away, none. */
-const CLOSED_BY_CLIENT: readonly number[] = [1000, 1001, 1005];
 
 export interface RosConnectionOptions {
   socket: WebSocket;
@@ -67,8 +65,7 @@ export class RosConnection implements OpenSocket {
       metrics.socketClosed(code);
       log.info({ code }, "ROS connection closed");
       this.#cancelTimer();
-      if (CLOSED_BY_CLIENT.includes(code)) this.#session?.leave();
-      else this.#session?.close();
+      this.#session?.disconnected(code);
       this.#session = null;
       this.#waiting = [];
     });

@@ -2,18 +2,12 @@
  * The lease of a motion without an end of its own. The robot stops when the lease expires, so that
  * a silent script or a broken connection does not leave it driving.
  */
-import { LEASE_MS, type DeliveredCommand } from "@corridor/protocol";
+import { isVelocity, LEASE_MS, type DeliveredCommand } from "@corridor/protocol";
 
 /** For `forward`, `reverse` and guarded motions: renewed by every message of their script. */
 const FORWARD_MS = 3_000;
 /** For a velocity without a lease of its own: renewed only by the next drive. */
 const DRIVE_MS = LEASE_MS.default;
-
-/** Whether it is a velocity, of which only the newest value counts: a drive without an end. */
-export function isVelocity({ command }: DeliveredCommand): boolean {
-  const isDrive = command.action === "drive" && command.milliseconds === undefined;
-  return isDrive && command.until === undefined;
-}
 
 export class MotionLease {
   readonly #driver: string;
@@ -35,7 +29,7 @@ export class MotionLease {
     if (isGuarded || command.action === "forward" || command.action === "reverse") {
       return new MotionLease(driver, FORWARD_MS, true, now);
     }
-    return isVelocity(delivery) ? new MotionLease(driver, lease ?? DRIVE_MS, false, now) : null;
+    return isVelocity(command) ? new MotionLease(driver, lease ?? DRIVE_MS, false, now) : null;
   }
 
   /**

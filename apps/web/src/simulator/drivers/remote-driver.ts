@@ -4,12 +4,18 @@
  * command. A motion whose lease expires is cancelled. Only the robot ends a delivered command, and it ends each exactly once. It measures ttls with its own
  * clock.
  */
-import type { AliveDriver, DeliveredCommand, EndingState, Pose } from "@corridor/protocol";
+import {
+  isVelocity,
+  type AliveDriver,
+  type DeliveredCommand,
+  type EndingState,
+  type Pose,
+} from "@corridor/protocol";
 import type { Run, RunInput } from "@corridor/recording";
 import { BurstGuard } from "./burst-guard.ts";
 import type { CancelReason } from "../protocol/cancel-reason.ts";
 import { MotionGuard } from "./motion-guard.ts";
-import { isVelocity, MotionLease } from "./motion-lease.ts";
+import { MotionLease } from "./motion-lease.ts";
 
 export interface Ending {
   state: EndingState;
@@ -89,7 +95,7 @@ export class RemoteDriver {
       this.#endAll("superseded", "replaced");
       this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
     }
-    if (isVelocity(delivery)) {
+    if (isVelocity(delivery.command)) {
       this.#bursts.add(now, delivery.ttl - delivery.remaining, Date.parse(delivery.acceptedAt));
       this.#supersedeLast(delivery.driver);
     }
@@ -140,7 +146,7 @@ export class RemoteDriver {
     // It is not part of the run: see `takeReset`.
     if (next.command.action === "reset") return;
     const now = this.#now();
-    if (isVelocity(next) && this.#bursts.isHeld(now)) return;
+    if (isVelocity(next.command) && this.#bursts.isHeld(now)) return;
     this.#queue.shift();
     const wasMoving = this.#running !== null;
     this.#end("completed", null);
@@ -207,7 +213,7 @@ export class RemoteDriver {
   /** Of consecutive velocities of one script in the queue, only the newest counts. */
   #supersedeLast(driver: string): void {
     const last = this.#queue.at(-1)?.delivery;
-    if (last === undefined || !isVelocity(last) || last.driver !== driver) return;
+    if (last === undefined || !isVelocity(last.command) || last.driver !== driver) return;
     this.#queue.pop();
     this.#report(last.seq, "superseded", "replaced", 0);
   }
