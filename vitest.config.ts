@@ -10,7 +10,7 @@ const exhaustive = `${folders}/**/*.exhaustive.test.ts`;
 const exclude = ["**/node_modules/**", "**/dist/**"];
 
 /**
- * Short files that take over half a minute. Vitest starts large files first, so without this list they
+ * Small files that take over half a minute. Vitest starts large files first, so without this list they
  * run last, and most of the machine waits for them.
  */
 const longTests = /\/(delivery-faults|right-wall|bad-network|cxf|conformance\/gateways)\./;

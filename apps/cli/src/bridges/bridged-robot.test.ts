@@ -96,6 +96,16 @@ describe("the port of a program", () => {
     expect(port.isClosed).toBe(false);
   });
 
+  it("leaves the velocities of ROS clients to their lease, and ends guarded drives", async () => {
+    const { port, robot } = bridged();
+    const program = robot.openPort({ keepsVelocities: true });
+    await program.send(drive);
+    await program.send({ ...drive, until: [{ goal: true }] });
+    program.close();
+    await settled();
+    expect(port.cancelled).toEqual([2]);
+  });
+
   it("receives nothing after it was closed", async () => {
     const { port, robot } = bridged();
     const program = robot.openPort();
