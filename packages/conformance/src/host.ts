@@ -130,7 +130,7 @@ export class Host {
     return this.#fetch(this.api + path, options);
   }
 
-  /** Opens a stream that durationOf until `signal` is aborted. */
+  /** Opens a stream that lasts until `signal` is aborted. */
   async open(path: string, signal: AbortSignal, headers: Record<string, string> = {}) {
     return fetch(this.api + path, { ...this.#initOf({ headers }), signal });
   }

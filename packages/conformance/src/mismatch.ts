@@ -14,6 +14,9 @@ export class Mismatch extends Error {
   }
 }
 
+/** The host does not answer, or not to this key: no other check can be tested. */
+export class NoAccess extends Mismatch {}
+
 /** A precondition of the check is missing, such as the robot's position in the pen. */
 export class NotTestable extends Error {
   override readonly name = "NotTestable";
@@ -58,4 +61,11 @@ export function numberAt(value: unknown, path: string): number {
 function show(found: unknown): string {
   const text = typeof found === "string" ? found : (JSON.stringify(found) ?? String(found));
   return text.length > 300 ? `${text.slice(0, 300)}…` : text;
+}
+
+/** An error with its cause, such as that of a network. */
+export function describeError(error: unknown): string {
+  if (!(error instanceof Error)) return String(error);
+  const cause = error.cause instanceof Error ? ` (${error.cause.message})` : "";
+  return `${error.message}${cause}`;
 }

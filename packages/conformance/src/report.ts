@@ -17,6 +17,7 @@ export function linesOf({ promise, check, outcome }: Result): string[] {
   if (outcome.kind === "failed") {
     more(`expected: ${outcome.expected}`);
     more(`found:    ${outcome.found}`);
+    if (outcome.isLast === true) more("The other checks need this one, so the run ends here.");
   } else if (outcome.kind === "not offered") {
     more(`${outcome.feature}: ${outcome.why}`);
   } else if (outcome.kind === "not testable") {

@@ -19,7 +19,7 @@ import { ros } from "./checks/gateways/ros.ts";
 import { soap } from "./checks/gateways/soap.ts";
 import type { Check, CheckGroup } from "./check.ts";
 import { Host } from "./host.ts";
-import { Mismatch, NeverTestable, NotTestable } from "./mismatch.ts";
+import { describeError, Mismatch, NeverTestable, NoAccess, NotTestable } from "./mismatch.ts";
 
 /** Units and directions come first, while the robot is at its initial position. */
 export const groups: readonly CheckGroup[] = [
@@ -44,7 +44,8 @@ export const gatewayGroups: Readonly<Record<GatewayName, CheckGroup>> = { ros, m
 
 export type Outcome =
   | { kind: "passed" }
-  | { kind: "failed"; expected: string; found: string }
+  /** `isLast`: no other check can be tested, so the run ends */
+  | { kind: "failed"; expected: string; found: string; isLast?: boolean }
   /** the host reports that it does not offer the feature, which is not a failure */
   | { kind: "not offered"; feature: HostFeature | GatewayName; why: string }
   /** not tested; `isNever`: no run can test it, so that it does not count against the host */
@@ -90,7 +91,7 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
       const outcome = await (early.get(check) ?? outcomeOf(check, host, missing));
       add({ group: title, promise: check.promise, check: check.name, outcome });
       if (outcome.kind !== "failed") continue;
-      if (options.stopsAtFailure === true) return results;
+      if (options.stopsAtFailure === true || outcome.isLast === true) return results;
       // Commands of a failed check must not affect the next one.
       await host.sendAndWait({ action: "stop" }).catch(() => undefined);
     }
@@ -138,14 +139,14 @@ async function outcomeOf(
       return { kind: "not testable", why: error.message, isNever };
     }
     if (error instanceof Mismatch) {
-      return { kind: "failed", expected: error.expected, found: error.found };
+      const { expected, found } = error;
+      return {
+        kind: "failed",
+        expected,
+        found,
+        ...(error instanceof NoAccess && { isLast: true }),
+      };
     }
     return { kind: "failed", expected: "a response", found: describeError(error) };
   }
-}
-
-function describeError(error: unknown): string {
-  if (!(error instanceof Error)) return String(error);
-  const cause = error.cause instanceof Error ? ` (${error.cause.message})` : "";
-  return `${error.message}${cause}`;
 }

@@ -1,6 +1,7 @@
 /** Access: only the key of the address is accepted. */
 import type { CheckGroup } from "../check.ts";
-import { must } from "../mismatch.ts";
+import type { Host, HttpResponse } from "../host.ts";
+import { describeError, must, NoAccess, valueAt } from "../mismatch.ts";
 
 export const access: CheckGroup = {
   title: "Keys",
@@ -9,8 +10,12 @@ export const access: CheckGroup = {
       promise: "key-address",
       name: "the key of the address reads and drives the robot",
       run: async (host) => {
-        const response = await host.request("/commands?after=0");
-        must(response.status === 200, "200 for GET /commands with the key", response.status);
+        const expected = "200 for GET /commands with the key";
+        const { status, json } = await answerOf(host, "/commands?after=0", expected);
+        if (status === 401 || status === 403) {
+          throw new NoAccess(expected, `${status}: ${String(valueAt(json, "detail"))}`);
+        }
+        must(status === 200, expected, status);
       },
     },
     {
@@ -68,3 +73,12 @@ export const access: CheckGroup = {
     },
   ],
 };
+
+/** @throws NoAccess if the host cannot be reached */
+async function answerOf(host: Host, path: string, expected: string): Promise<HttpResponse> {
+  try {
+    return await host.request(path);
+  } catch (error) {
+    throw new NoAccess(expected, describeError(error));
+  }
+}
