@@ -278,6 +278,7 @@ function Actions({ service }: { service: LessonsService }) {
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, (state) => state.result);
   const isChecking = useStore(store, (state) => state.isChecking);
+  const hasCard = useStore(store, (state) => state.hasCard);
   if (task === null) return null;
   const isMet = result.state === "met";
   const isChecked =
@@ -287,10 +288,10 @@ function Actions({ service }: { service: LessonsService }) {
   return (
     <div className={styles["actions"]}>
       {isChecked && !isMet && (
-        // One button for both, so that the focus stays on it.
+        // One button for both, so that the focus stays on it. The card has the same primary button.
         <Button
           size="small"
-          kind={isChecking ? "outline" : "primary"}
+          kind={isChecking || hasCard ? "outline" : "primary"}
           icon={<Icon of={isChecking ? Square : ListChecks} />}
           onClick={() => {
             if (isChecking) service.check.stop();
