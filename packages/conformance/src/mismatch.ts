@@ -58,7 +58,8 @@ export function numberAt(value: unknown, path: string): number {
   return found;
 }
 
-function show(found: unknown): string {
+/** A found value as text of limited length. */
+export function show(found: unknown): string {
   const text = typeof found === "string" ? found : (JSON.stringify(found) ?? String(found));
   return text.length > 300 ? `${text.slice(0, 300)}…` : text;
 }

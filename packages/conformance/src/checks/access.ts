@@ -1,7 +1,7 @@
 /** Access: only the key of the address is accepted. */
 import type { CheckGroup } from "../check.ts";
 import type { Host, HttpResponse } from "../host.ts";
-import { describeError, must, NoAccess, valueAt } from "../mismatch.ts";
+import { describeError, must, NoAccess, show, valueAt } from "../mismatch.ts";
 
 export const access: CheckGroup = {
   title: "Keys",
@@ -12,8 +12,10 @@ export const access: CheckGroup = {
       run: async (host) => {
         const expected = "200 for GET /commands with the key";
         const { status, json } = await answerOf(host, "/commands?after=0", expected);
-        if (status === 401 || status === 403) {
-          throw new NoAccess(expected, `${status}: ${String(valueAt(json, "detail"))}`);
+        const hasNoRobot = valueAt(json, "type") === "/problems/no-robot";
+        if (status === 401 || status === 403 || hasNoRobot) {
+          const detail = show(valueAt(json, "detail") ?? "without a detail");
+          throw new NoAccess(expected, `${status}: ${detail}`);
         }
         must(status === 200, expected, status);
       },
