@@ -6,7 +6,7 @@ import type { i18n } from "i18next";
 import { missionHash } from "../model/address/mission-address.ts";
 import { programForMaze } from "../model/workspace/own-program.ts";
 import { holdAgain } from "../features/share/held-link.ts";
-import { openEmptyMaze } from "../features/projects/empty-maze.ts";
+import { openEmptyMaze } from "../features/projects/open-empty-maze.ts";
 import { dismiss, showMessage } from "../model/screen/screen-store.ts";
 import type { Services } from "../model/services.ts";
 import { followAddress } from "../model/address/url-sync.ts";

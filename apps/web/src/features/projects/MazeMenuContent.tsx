@@ -6,7 +6,7 @@ import { useServices } from "../../model/use-services.ts";
 import type { Project } from "../../model/projects/project-storage.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
-import { openEmptyMaze } from "./empty-maze.ts";
+import { openEmptyMaze } from "./open-empty-maze.ts";
 import { RenameField } from "./RenameField.tsx";
 import { SaveState } from "./SaveState.tsx";
 import { ProjectList } from "./ProjectList.tsx";
