@@ -212,7 +212,7 @@ const messages: {
   },
   {
     name: "an element in a text",
-    change: (message) => message.replace("40", "<cm>40</cm>"),
+    change: (message) => message.replace(">40<", "><cm>40</cm><"),
     says: "distance.cm: found an element, expected the text of distance only",
   },
   {
