@@ -179,7 +179,7 @@ async function followsRequests({ page, relay, site }: Visit): Promise<void> {
   await expect(frame.getByRole("heading", { name: "Spiral" })).toBeVisible();
   const heightOfFrame = async () => page.locator("iframe").evaluate((each) => each.clientHeight);
   await expect.poll(async () => heightOf(page)).toBeGreaterThan(350);
-  await expect.poll(heightOfFrame).toBe(await heightOf(page));
+  await expect.poll(async () => (await heightOfFrame()) - (await heightOf(page))).toBe(0);
   const low = await heightOfFrame();
   for (let lines = 0; lines < 4; lines++) {
     await frame.getByRole("button", { name: "Add line" }).click();

@@ -229,7 +229,7 @@ test("every recipe, and the wall follower of both libraries' pages, has the docu
   await test.step("the wall follower in curl ends with a sentence if the service does not respond", async () => {
     const sample = samples.find(({ language }) => language === "curl");
     const text = sample?.text.replaceAll("http://HOST", "http://localhost:1") ?? "";
-    const script = await start(text, "curl", address.replace(/[\w-]+#\w+$/, "ID#KEY"));
+    const script = await start(text, "curl", address.replace(/[\w-]+#[\w-]+$/, "ID#KEY"));
     expect(await script.ended).toEqual([1, null]);
     expect(script.output).toContain("The service did not respond. Check the address");
     expect(script.output).not.toContain("awk");
