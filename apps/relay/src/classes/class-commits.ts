@@ -4,6 +4,7 @@
  * changed the class, the steps are decided again on its newest state.
  */
 import { randomInt } from "node:crypto";
+import { limits } from "../platform/limits/limits.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import { mintClassCode } from "../platform/keys.ts";
 import { noClass } from "../platform/errors/problems.ts";
@@ -48,6 +49,7 @@ export class ClassCommits {
   #received: ClassCommit[] = [];
   #mustReload = false;
   #isBusy = false;
+  #willRetry = false;
 
   constructor(
     id: string,
@@ -122,6 +124,17 @@ export class ClassCommits {
       }
     }
     this.#isBusy = false;
+    if (this.#mustReload) this.#retryLater();
+  }
+
+  /** The store does not report that it responds again, and maybe no request follows. */
+  #retryLater(): void {
+    if (this.#willRetry) return;
+    this.#willRetry = true;
+    this.#clock.after(limits.storeRetryMs, () => {
+      this.#willRetry = false;
+      this.#start();
+    });
   }
 
   async #commit(steps: readonly Waiting[]): Promise<void> {
