@@ -44,7 +44,7 @@ async function prepare(id: QuickstartId) {
     expect(scripts.map((each) => each.client)).toContain(client);
   };
   const actions = () => page.robot.done.map(({ action }) => action);
-  return { relay, folder, text: written, actions, expectListed };
+  return { relay, page, folder, text: written, actions, expectListed };
 }
 
 /** Python with packages, or why it cannot be installed here. */
@@ -73,6 +73,15 @@ describe("the quickstart of", () => {
     await expectListed();
   });
 
+  it("roslibpy says why the robot does not move", { timeout: TIMEOUT_MS }, async ({ skip }) => {
+    const found = python("ros", "tests/support/ros/requirements.txt");
+    if ("missing" in found) return skip(found.missing);
+    const { page, folder } = await prepare("roslibpy");
+    page.connection.close();
+    const { stdout } = await run(found.program, ["drive.py"], { cwd: folder });
+    expect(stdout).toContain("The robot's page is closed or offline: open it again");
+  });
+
   it("roslib turns the robot by velocities", { timeout: TIMEOUT_MS }, async () => {
     const { folder, actions, expectListed } = await prepare("roslib");
     symlinkSync(join(ROOT, "node_modules"), join(folder, "node_modules"));
@@ -80,6 +89,22 @@ describe("the quickstart of", () => {
     expect(stdout).toMatch(/^front [\d.]+\n/);
     expect(actions()).toContain("drive");
     await expectListed();
+  });
+
+  it("roslib says why the robot does not move", { timeout: TIMEOUT_MS }, async () => {
+    const { page, folder } = await prepare("roslib");
+    symlinkSync(join(ROOT, "node_modules"), join(folder, "node_modules"));
+    page.connection.close();
+    const { stdout } = await run(process.execPath, ["drive.mjs"], { cwd: folder });
+    expect(stdout).toContain("The robot's page is closed or offline: open it again");
+  });
+
+  it("roslib says that its key is wrong", { timeout: TIMEOUT_MS }, async () => {
+    const { folder, text } = await prepare("roslib");
+    symlinkSync(join(ROOT, "node_modules"), join(folder, "node_modules"));
+    writeFileSync(join(folder, "drive.mjs"), text.replace(/drv_[\w-]+/, "drv_wrong"));
+    const { stdout } = await run(process.execPath, ["drive.mjs"], { cwd: folder });
+    expect(stdout).toMatch(/^The key is invalid or was revoked\./);
   });
 
   it("any rosbridge tool connects by the URL alone", async () => {
