@@ -42,8 +42,8 @@ async function connected(capability: "drive" | "watch" = "drive", ms = START_MS)
     start: (): void => {
       port.report(snapshotOf({ command: port.orders.length }));
     },
-    end: (seq: number, state: CommandRecord["state"]): void => {
-      port.end(seq, { state });
+    end: (seq: number, state: CommandRecord["state"], reason: string | null = null): void => {
+      port.end(seq, { state, reason });
     },
   };
 }
@@ -246,6 +246,41 @@ describe("a motion of VIPLE", () => {
     await servos(...wheels(1, 1));
     await timers.pass(60);
     expect(port.orders).toEqual([driven(1, 1)]);
+  });
+});
+
+describe("a motion of VIPLE that the robot does not begin", () => {
+  const NOT_DRIVING = "Remote is not driving: choose Remote on the robot's page.";
+
+  it("is reported with the reason, and again if VIPLE sends it again", async () => {
+    const { servos, timers, problems, end } = await connected();
+    await servos(...wheels(1, 1));
+    await timers.pass(0);
+    end(1, "cancelled", NOT_DRIVING);
+    await timers.pass(5_000);
+    expect(problems).toEqual([NOT_DRIVING]);
+    await servos(turn(90));
+    await timers.pass(0);
+    end(2, "cancelled", NOT_DRIVING);
+    expect(problems).toEqual([NOT_DRIVING, NOT_DRIVING]);
+  });
+
+  it("is reported once, although the bridge repeats it", async () => {
+    const { servos, port, timers, problems, end } = await connected();
+    await servos(...wheels(1, 1));
+    await timers.pass(1_000);
+    expect(port.orders.length).toBeGreaterThan(2);
+    for (const seq of port.orders.keys()) end(seq + 1, "expired", "The page is closed.");
+    expect(problems).toEqual(["The page is closed."]);
+  });
+
+  it("is not reported if it has begun before it ends", async () => {
+    const { servos, timers, problems, end } = await connected();
+    await servos(...wheels(1, 1));
+    await timers.pass(0);
+    end(1, "started");
+    end(1, "cancelled", "The owner stopped the robot.");
+    expect(problems).toEqual([]);
   });
 });
 

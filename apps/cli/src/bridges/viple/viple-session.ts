@@ -23,7 +23,10 @@ export interface VipleSessionOptions {
   settings: SensorSettings;
   /** Sends a message with readings. */
   send(text: string): void;
-  /** Called with a sentence for each message that is ignored, and for each command that is refused. */
+  /**
+   * Called with a sentence for each message that is ignored, and for each command that is refused or
+   * ends without having run.
+   */
   onProblem(sentence: string): void;
 }
 
@@ -36,6 +39,10 @@ export class VipleSession {
   /** the beginning of its idempotency keys */
   readonly #keyPrefix = `${randomUUID()}-`;
   #orders = 0;
+  /** the newest of its orders that has begun */
+  #startedKey: string | null = null;
+  /** whether VIPLE's newest motion has been reported as one that does not begin */
+  #isReported = false;
 
   /** @throws RefusedError if the port permits no subscription */
   constructor(options: VipleSessionOptions) {
@@ -52,6 +59,7 @@ export class VipleSession {
       snapshot: (snapshot) => this.#feed.update(sensorMessage(snapshot, settings)),
       state: (record) => {
         if (this.#isInterrupted(record)) this.#cancelRepeat();
+        this.#reportUnstarted(record);
       },
       gap: () => this.#cancelRepeat(),
       maze: () => undefined,
@@ -66,6 +74,7 @@ export class VipleSession {
     try {
       const motion = readMotion(text);
       if (motion === null) return;
+      this.#isReported = false;
       if ("degrees" in motion) this.#turn(motion.degrees);
       else {
         Object.assign(this.#wheels, motion);
@@ -113,6 +122,19 @@ export class VipleSession {
 
   get #newestKey(): string {
     return `${this.#keyPrefix}${this.#orders}`;
+  }
+
+  /**
+   * VIPLE receives no answer. If its motion ends without having run, for instance because Remote is not
+   * driving, the reason is reported once, however often the motion is repeated.
+   */
+  #reportUnstarted({ key, state, reason }: CommandRecord): void {
+    if (key?.startsWith(this.#keyPrefix) !== true) return;
+    if (state === "started") this.#startedKey = key;
+    const isUnstarted = (state === "cancelled" || state === "expired") && key !== this.#startedKey;
+    if (!isUnstarted || this.#isReported || reason === null) return;
+    this.#isReported = true;
+    this.#options.onProblem(reason);
   }
 
   /**
