@@ -103,6 +103,27 @@ describe("waiting time", () => {
   });
 });
 
+it("is empty on the page when another run begins without a script", () => {
+  const page = new Timeline();
+  const sync = ({ timeline }: Recording) => {
+    const delta = timeline.takeDelta();
+    if (delta !== null) page.applyDelta(structuredClone(delta));
+  };
+  const recording = scripted();
+  run(recording, 10);
+  recording.addInput({ do: "command", command: { action: "forward" }, seq: 1 });
+  run(recording, 10);
+  sync(recording);
+  expect(logOf(page, 20)).toEqual(logOf(recording.timeline, 20));
+  expect(page.commands.count).toBe(1);
+  const next = new Recording(recording.run.maze, recording.run.program);
+  run(next, 20);
+  sync(next);
+  expect(logOf(page, 20)).toEqual(logOf(next.timeline, 20));
+  expect(page.commands.count).toBe(0);
+  expect(next.timeline.takeDelta()).toBeNull();
+});
+
 it("is the same on the page, in an opened file and after a truncation", () => {
   let commands = 0;
   let waits = 0;

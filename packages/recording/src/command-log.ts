@@ -38,11 +38,14 @@ export class CommandLog {
   readonly #waitTicks = new GrowingArray("int32");
   /** Total waiting time up to each of these ticks, in ticks. */
   readonly #waitSums = new GrowingArray("int32");
-  /** number of entries unchanged since the last `takeDelta`, and number of entries at that time */
+  /**
+   * Number of entries unchanged since the last `takeDelta`, and number of entries at that time; -1
+   * before the first, which empties a copy that has the entries of another run.
+   */
   #unchangedCommands = 0;
   #unchangedWaits = 0;
-  #sentCommands = 0;
-  #sentWaits = 0;
+  #sentCommands = -1;
+  #sentWaits = -1;
 
   get count(): number {
     return this.#commands.length;
