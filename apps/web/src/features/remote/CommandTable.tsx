@@ -11,7 +11,7 @@ import {
   ListX,
   type IconNode,
 } from "lucide";
-import type { ComponentProps } from "react";
+import { memo, useMemo, type ComponentProps } from "react";
 import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
 import { Chip } from "../../ui/Chip.tsx";
@@ -35,8 +35,17 @@ const looks: Record<CommandState, { tone: Tone; icon: IconNode }> = {
 };
 
 export function CommandTable({ commands }: { commands: readonly ListedCommand[] }) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const selected = useSelectedCommand();
+  const time = useMemo(
+    () =>
+      new Intl.DateTimeFormat(i18n.language, {
+        timeStyle: "medium",
+        hour12: false,
+        numberingSystem: "latn",
+      }),
+    [i18n.language],
+  );
   return (
     <table className={styles["commands"]}>
       <thead className="visually-hidden">
@@ -49,7 +58,12 @@ export function CommandTable({ commands }: { commands: readonly ListedCommand[] 
       </thead>
       <tbody>
         {commands.map((record) => (
-          <CommandRow key={record.seq} record={record} isSelected={record.seq === selected} />
+          <CommandRow
+            key={record.seq}
+            record={record}
+            isSelected={record.seq === selected}
+            time={time}
+          />
         ))}
       </tbody>
     </table>
@@ -60,17 +74,26 @@ interface CommandRowProps {
   record: ListedCommand;
   /** whether the displayed tick of the timeline belongs to the command */
   isSelected: boolean;
+  time: Intl.DateTimeFormat;
 }
 
-function CommandRow({ record, isSelected }: CommandRowProps) {
-  const { t, i18n } = useTranslation();
+/** The worker sends copies of all records with each change of one, several times a command. */
+function isSameRow(before: CommandRowProps, after: CommandRowProps): boolean {
+  const [a, b] = [before.record, after.record];
+  return (
+    before.isSelected === after.isSelected &&
+    before.time === after.time &&
+    a.state === b.state &&
+    a.reason === b.reason &&
+    a.distance === b.distance &&
+    a.acceptedAt === b.acceptedAt
+  );
+}
+
+const CommandRow = memo(function CommandRow({ record, isSelected, time }: CommandRowProps) {
+  const { t } = useTranslation();
   const { tone, icon } = looks[record.state];
   const distance = cutShortAfter(record);
-  const time = new Intl.DateTimeFormat(i18n.language, {
-    timeStyle: "medium",
-    hour12: false,
-    numberingSystem: "latn",
-  });
   return (
     <tr
       aria-current={isSelected || undefined}
@@ -107,4 +130,4 @@ function CommandRow({ record, isSelected }: CommandRowProps) {
       </td>
     </tr>
   );
-}
+}, isSameRow);
