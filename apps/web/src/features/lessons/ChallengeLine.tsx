@@ -6,6 +6,7 @@ import { Check, Target } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
+import { useWaited } from "../../model/use-waited.ts";
 import { challengeResult, mazeCount, openTask } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { metText } from "../../model/lessons/failure-text.ts";
@@ -17,12 +18,13 @@ import { bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 
 export function ChallengeLine() {
   const { t, i18n } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store, timeline } = useServices();
+  const { challenge: store } = useServices();
   const task = useStore(store, openTask);
   const language = useStore(store, (state) => state.lesson?.language ?? null);
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, challengeResult);
   const isChecked = useStore(store, (state) => state.checked !== null);
+  const waited = useWaited(result?.state === "met" ? result.ticks : 0);
   if (task === null || result === null) return null;
   const id = missionIds.find((each) => each === mission);
   const bonus = bonusMissionOf(mission);
@@ -30,7 +32,7 @@ export function ChallengeLine() {
     return (
       <p className={styles["line"]} data-state="met" dir="auto">
         <Icon of={Check} size={18} />
-        {metText({ t, i18n, waited: (tick) => timeline.waitedUpTo(tick) }, task, result)}
+        {metText({ t, i18n, waited: () => waited }, task, result)}
       </p>
     );
   }

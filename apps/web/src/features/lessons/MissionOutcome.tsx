@@ -11,6 +11,7 @@ import type { CheckedTask } from "../../model/check/checked-task.ts";
 import { mazeName } from "../../model/check/maze-name.ts";
 import { openTask } from "../../model/challenge/challenge-store.ts";
 import { useServices } from "../../model/use-services.ts";
+import { useWaited } from "../../model/use-waited.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import {
   failureText,
@@ -33,6 +34,8 @@ export function MissionOutcome({ task }: { task: LessonTask }) {
   // The run of a check contains no waiting ticks.
   const ofRun: MissionWords = { ...words, waited: (tick) => timeline.waitedUpTo(tick) };
   const result = useStore(store, (state) => state.result);
+  // Subscribes: the timeline arrives after the result.
+  useWaited(result.state === "met" ? result.ticks : result.state === "failed" ? result.tick : 0);
   const verdict = useStore(store, (state) => state.verdict);
   const diagnoses = useStore(store, (state) => state.diagnoses);
   const unseenDiagnosis = useStore(store, (state) => state.unseenDiagnosis);
