@@ -112,9 +112,13 @@ async function showsTextsOfDocumentation(page: Page, address: string): Promise<v
   const names = await panel.kind.getByRole("option").allTextContents();
   const copied: string[] = [];
   for (const name of names) copied.push((await panel.copy(name)).trim());
-  const docs = await page.context().newPage();
-  await docs.goto("/docs#connect");
-  await expect(docs.getByRole("heading", { name: "Connect" })).toBeInViewport();
+  const opened = page.waitForEvent("popup");
+  await page.getByRole("link", { name: "How to write a script" }).click();
+  const docs = await opened;
+  const tabs = docs.getByRole("group", { name: "Connect with" }).getByRole("radio");
+  // The documentation opens at the tool that the page shows.
+  await expect(tabs.last()).toBeChecked();
+  await expect(docs.getByRole("group", { name: names.at(-1) ?? "" })).toBeInViewport();
   // A build file may be below the text.
   const blocks = await docs.locator(".panel pre:first-of-type").allTextContents();
   const [id, key] = [pathname.slice("/r/".length), hash.slice(1)];

@@ -12,6 +12,7 @@ describe("Markdown as HTML", () => {
       text: '```json\n{"a<b": 1}\n```',
       html: '<pre tabindex="0"><code>{&quot;a&lt;b&quot;: 1}</code></pre>',
     },
+    { text: "```#call\n1\n```", html: '<pre id="call" tabindex="0"><code>1</code></pre>' },
     { text: "[on](#on)", html: '<p><a href="#on">on</a></p>' },
     { text: "<script>1</script>", html: "&lt;script&gt;1&lt;/script&gt;" },
   ])("renders $text", ({ text, html }) => {

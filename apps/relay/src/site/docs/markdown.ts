@@ -18,9 +18,10 @@ export function htmlOf(text: string, address: Address = unchanged): string {
       heading({ tokens, text: words, depth }) {
         return `<h${depth} id="${slugOf(words)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
       },
-      // Focusable, so that the keyboard can scroll wide content.
-      code(token) {
-        return `<pre tabindex="0"><code>${escaped(token.text)}</code></pre>\n`;
+      // Focusable, so that the keyboard can scroll wide content. `#NAME` is the id of the block.
+      code({ text: code, lang = "" }) {
+        const id = lang.startsWith("#") ? ` id="${escaped(lang.slice(1))}"` : "";
+        return `<pre${id} tabindex="0"><code>${escaped(code)}</code></pre>\n`;
       },
       table(token) {
         return `<div class="table" tabindex="0">${tableOf(token, (cell) =>

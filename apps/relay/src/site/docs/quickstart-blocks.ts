@@ -1,6 +1,6 @@
 /**
  * Quickstarts in Markdown: `<!-- quickstart: ID -->` stands for the text that the page offers to copy,
- * with placeholders for the parts of the robot's address.
+ * with placeholders for the parts of the robot's address. It has the id `connect-ID`.
  */
 import { quickstartIds, quickstarts, type Quickstart } from "@corridor/quickstarts";
 import type { GatewayName } from "@corridor/protocol";
@@ -25,7 +25,8 @@ export function withQuickstarts(text: string, gateways: readonly GatewayName[]):
     })
     .replaceAll(
       BLOCK,
-      (_, id: string) => `\`\`\`\n${quickstartOf(id).text(PLACEHOLDERS).trimEnd()}\n\`\`\``,
+      (_, id: string) =>
+        `\`\`\`#connect-${id}\n${quickstartOf(id).text(PLACEHOLDERS).trimEnd()}\n\`\`\``,
     );
 }
 

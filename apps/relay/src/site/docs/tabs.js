@@ -23,7 +23,19 @@ function store(language) {
   }
 }
 
+/* The address can name a block: its tab is selected, without storing the selection. */
+function openNamedBlock() {
+  const panel = document.getElementById(location.hash.slice(1))?.closest(".panel");
+  const tabs = panel?.closest(".tabs");
+  if (!tabs) return;
+  const panels = [...tabs.querySelectorAll(".panel")];
+  tabs.querySelectorAll("input")[panels.indexOf(panel)].checked = true;
+  tabs.scrollIntoView();
+}
+
 choose(stored());
+openNamedBlock();
+addEventListener("hashchange", openNamedBlock);
 for (const radio of radios) {
   radio.addEventListener("change", () => {
     // Blocks above may change their height: keep the position of the selected tab.

@@ -112,7 +112,12 @@ export function ConnectWith({ address, session }: ConnectWithProps) {
         )}
         {/* Opens in a new tab: leaving this page ends the robot. */}
         {ready && (
-          <a className={styles["link"]} href="/docs#connect" target="_blank" rel="noopener">
+          <a
+            className={styles["link"]}
+            href={`/docs#connect-${chosen}`}
+            target="_blank"
+            rel="noopener"
+          >
             {t("watch:learn")}
           </a>
         )}
