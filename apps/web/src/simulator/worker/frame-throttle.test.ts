@@ -61,6 +61,17 @@ describe("frames for the page while the robot drives", () => {
     expect(sent).toBeLessThan(46);
   });
 
+  it("come at once for the goal, even if every frame before changed something important", () => {
+    const { at } = start();
+    let time = 0;
+    const next = (changes: Partial<Snapshot>) => at(++time, { tick: time, ...changes });
+    for (let command = 1; command < 20; command++) next({ command });
+    expect(next({ command: 20 })).toBeNull();
+    expect(next({ command: 20, goalReached: true })).not.toBeNull();
+    // Once a run.
+    expect(next({ command: 21, goalReached: true })).toBeNull();
+  });
+
   it("come at once while the user seeks in the past", () => {
     const { at } = start();
     at(0, { tick: 90 });
