@@ -1,7 +1,12 @@
 import type { MazeDocument } from "@corridor/maze";
-import { describe, expect, it } from "vitest";
+import fc from "fast-check";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
+import type { DrawingContext } from "../drawing/drawing-context.ts";
+import { DirtyRects } from "../drawing/dirty-rects.ts";
+import { readPalette } from "../drawing/palette.ts";
+import { layOut, viewportAt } from "../drawing/viewport.ts";
 import { touchOf } from "./bumps.ts";
-import { recoilDirection, hitSensor, isAtHit, type Hit } from "./hit.ts";
+import { drawHit, recoilDirection, hitSensor, isAtHit, type Hit } from "./hit.ts";
 
 const maze: MazeDocument = {
   format: "corridor/maze",
@@ -66,4 +71,42 @@ describe("a displayed bump", () => {
     expect(dx).toBeCloseTo(-1, 6);
     expect(dy).toBeCloseTo(0, 6);
   });
+});
+
+it("erases the block that was hit, also if the run is one of a larger maze that is not displayed yet", () => {
+  vi.stubGlobal("Path2D", class {});
+  onTestFinished(() => void vi.unstubAllGlobals());
+  const layout = layOut(
+    { columns: 3, rows: 3 },
+    { width: 400, height: 400 },
+    { top: 36, right: 34, bottom: 20, left: 70 },
+    30,
+  );
+  const viewport = viewportAt(layout, { x: 0, y: 0 });
+  const place = fc.integer({ min: -2, max: 20 }).map((squares) => 50 * squares + 25);
+  const pose = fc.record({ x: place, y: place, heading: fc.constantFrom(0, 90, 180, 270) });
+  fc.assert(
+    fc.property(pose, (at) => {
+      const boxes: number[][] = [];
+      const erased: number[][] = [];
+      const context = new Proxy({} as DrawingContext, {
+        get: (_, name) => {
+          if (name === "fillRect") return (...box: number[]) => boxes.push(box);
+          if (name === "clearRect") return (...box: number[]) => erased.push(box);
+          return () => undefined;
+        },
+        set: () => true,
+      });
+      const dirty = new DirtyRects();
+      const palette = readPalette(() => "black");
+      drawHit(context, viewport, palette, maze, { pose: at, wanted: 26 }, dirty);
+      dirty.erase(context, 1, { width: 400, height: 400 });
+      for (const [x = 0, y = 0, width = 0, height = 0] of boxes) {
+        const isInside = ([left = 0, top = 0, wide = 0, high = 0]: number[]): boolean =>
+          left <= x && top <= y && left + wide >= x + width && top + high >= y + height;
+        expect(Math.min(width, height)).toBeGreaterThan(0);
+        expect(erased.some(isInside)).toBe(true);
+      }
+    }),
+  );
 });

@@ -84,6 +84,8 @@ export function drawHit(
   if (contact === null) return;
   const towards = headingTo(hit.pose, contact);
   const box = hitBox(viewport, contact);
+  // The frame of a run that opens can arrive before its maze, which may be larger than the one here.
+  if (box.width <= 0 || box.height <= 0) return;
   dirty.add(box.x, box.y, box.width, box.height);
   context.fillStyle = palette.badBg;
   context.fillRect(box.x, box.y, box.width, box.height);
