@@ -294,7 +294,7 @@ async function continueSolved({ corridor, page, opened }: Opened): Promise<void>
   await opened.expectTask(2);
 }
 
-test("counts a task as solved only after a check in its unseen mazes, whose failures can be watched, stops a check at once, and has a code for a drive by hand", async ({
+test("counts a task as solved only after a check in its unseen mazes, whose runs can be opened, stops a check at once, and has a code for a drive by hand", async ({
   corridor,
   page,
 }) => {
@@ -347,6 +347,22 @@ async function checkUnseen({ corridor, page, opened }: Opened): Promise<void> {
   await check.click();
   await expect(opened.outcome).toHaveText("Task solved. Lines used: 2 of 3");
   await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
+  await openPassingMaze({ corridor, page, opened });
+}
+
+/** Opens an unseen maze in which the program passes, and goes back to the task. */
+async function openPassingMaze({ corridor, page, opened }: Opened): Promise<void> {
+  await opened.card.getByText("Unseen mazes that pass: 20").click();
+  const list = opened.card.getByRole("list", { name: "Unseen mazes that pass" });
+  await expectNoAxeViolations(page, "a check without failures");
+  await list.getByRole("button", { name: "Tree 20 of seed 7" }).click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Tree 20 of seed 7, Maze menu");
+  await expect(corridor.message(/^Tree 20 of seed 7: passes in \d+\.\d s/)).toBeVisible();
+  await expect(corridor.robotPose).toHaveText("Robot at 150, 150, facing down");
+  await page.getByRole("button", { name: "Watch", exact: true }).click();
+  await expect(corridor.robotPose).toHaveText("Robot at 575, 752, facing left");
+  await page.getByRole("button", { name: "Back to the task" }).click();
+  await opened.expectTask(1);
 }
 
 /** Plays the last seconds before a failure, and goes back to the task. */

@@ -1,14 +1,14 @@
 /**
  * The check of the program in all mazes of the task: its progress, in how many mazes the program
- * passes, where it fails first, and every maze in which it fails.
+ * passes, where it fails first, and the mazes by name, which open from there.
  */
 import type { LessonTask } from "@corridor/challenge";
 import { Eye } from "lucide";
-import { useState } from "react";
+import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { showsHelp } from "../../model/challenge/challenge-store.ts";
-import type { MazeFailure } from "../../model/check/attempt-result.ts";
+import type { MazeFailure, MazePass } from "../../model/check/attempt-result.ts";
 import {
   failureSentence,
   firstFailureSentence,
@@ -20,6 +20,7 @@ import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import type { CheckProgress } from "../../model/lessons/program-check.ts";
 import { useServices } from "../../model/use-services.ts";
 import { groupedNumber } from "../../text/grouped-number.ts";
+import { formatSeconds } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { ProgressStrip } from "../../ui/ProgressStrip.tsx";
@@ -64,13 +65,14 @@ interface FinishedProps extends CheckResultProps {
 function Finished({ task, service, progress, hasBlame }: FinishedProps) {
   const { t, i18n } = useTranslation("check", { useSuspense: false });
   const words: CheckWords = { t, language: i18n.language };
+  const numberOf = (count: number): string => groupedNumber(count, i18n.language);
   const first = progress.first && withoutBlame(progress.first, hasBlame);
   const sentences = [
     progress.state === "stopped"
       ? progressText(words, progress)
       : t("result.passes", {
-          passed: groupedNumber(progress.passed, i18n.language),
-          all: groupedNumber(progress.count, i18n.language),
+          passed: numberOf(progress.passed),
+          all: numberOf(progress.count),
         }),
     ...(first === null ? [] : [firstFailureSentence(words, task, first)]),
   ];
@@ -89,7 +91,38 @@ function Finished({ task, service, progress, hasBlame }: FinishedProps) {
         )}
       </div>
       {progress.failures.length > 1 && (
-        <FailureList task={task} service={service} progress={progress} hasBlame={hasBlame} />
+        <MazeList
+          summary={t("result.all", { found: numberOf(progress.failures.length) })}
+          label={t("result.list")}
+        >
+          {() =>
+            progress.failures.map((each) => {
+              const failure = withoutBlame(each, hasBlame);
+              return (
+                <li key={each.maze} className={styles["item"]}>
+                  <WatchButton task={task} service={service} failure={failure} isRow>
+                    {mazeName(t, task, each.maze ?? 0)}
+                  </WatchButton>
+                  <span className={styles["reason"]}>
+                    {reasonText(words, task, failure.failure)}
+                  </span>
+                </li>
+              );
+            })
+          }
+        </MazeList>
+      )}
+      {progress.passes.length > 0 && (
+        <MazeList
+          summary={t("result.passing", { found: numberOf(progress.passes.length) })}
+          label={t("result.passingList")}
+        >
+          {() =>
+            progress.passes.map((pass) => (
+              <PassingMaze key={pass.maze} task={task} service={service} pass={pass} />
+            ))
+          }
+        </MazeList>
       )}
       {/* Announced once, at the end. */}
       <output className="visually-hidden">{sentences.join(" ")}</output>
@@ -97,33 +130,46 @@ function Finished({ task, service, progress, hasBlame }: FinishedProps) {
   );
 }
 
-/** The mazes by name. Up to a thousand rows are rendered only while the list is open. */
-function FailureList({ task, service, progress: { failures }, hasBlame }: FinishedProps) {
-  const { t, i18n } = useTranslation("check", { useSuspense: false });
+interface MazeListProps {
+  summary: string;
+  /** name of the list */
+  label: string;
+  children: () => ReactNode;
+}
+
+/** Mazes by name. Up to a thousand rows are rendered only while the list is open. */
+function MazeList({ summary, label, children }: MazeListProps) {
   const [isOpen, setOpen] = useState(false);
   return (
     <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-      <summary className={styles["summary"]}>
-        {t("result.all", { found: groupedNumber(failures.length, i18n.language) })}
-      </summary>
+      <summary className={styles["summary"]}>{summary}</summary>
       {isOpen && (
-        <ul className={styles["list"]} aria-label={t("result.list")}>
-          {failures.map((each) => {
-            const failure = withoutBlame(each, hasBlame);
-            return (
-              <li key={each.maze} className={styles["item"]}>
-                <WatchButton task={task} service={service} failure={failure} isRow>
-                  {mazeName(t, task, each.maze ?? 0)}
-                </WatchButton>
-                <span className={styles["reason"]}>
-                  {reasonText({ t, language: i18n.language }, task, failure.failure)}
-                </span>
-              </li>
-            );
-          })}
+        <ul className={styles["list"]} aria-label={label}>
+          {children()}
         </ul>
       )}
     </details>
+  );
+}
+
+/** An unseen maze in which the program passes: its name opens it. */
+function PassingMaze({ task, service, pass }: CheckResultProps & { pass: MazePass }) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  const maze = mazeName(t, task, pass.maze);
+  const reason = t("result.passesIn", { seconds: formatSeconds(pass.ticks, i18n.language) });
+  return (
+    <li className={styles["item"]}>
+      <Button
+        size="small"
+        kind="quiet"
+        icon={<Icon of={Eye} />}
+        className={styles["watch"]}
+        onClick={() => void service.watcher.open(pass, maze, t("failure.inMaze", { maze, reason }))}
+      >
+        {maze}
+      </Button>
+      <span className={styles["reason"]}>{reason}</span>
+    </li>
   );
 }
 

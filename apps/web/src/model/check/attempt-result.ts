@@ -41,6 +41,14 @@ export interface MazeFailure {
   failure: Failure;
 }
 
+/** An unseen maze in which an attempt passes. */
+export interface MazePass {
+  /** see `mazeOf` */
+  maze: number;
+  /** up to the goal */
+  ticks: number;
+}
+
 export interface AttemptResult {
   verdict: Verdict;
   /** number of mazes in which the attempt passes, of `checked` mazes */
@@ -96,6 +104,22 @@ export function failuresOf(outcomes: readonly (MazeOutcome | undefined)[]): Maze
     if (outcome !== undefined && outcome.failure !== null) {
       found.push({ maze, failure: outcome.failure });
     }
+  }
+  return found;
+}
+
+/**
+ * Every unseen maze in which an attempt passes, in order.
+ * @param given number of given mazes, which come first
+ */
+export function unseenPasses(
+  outcomes: readonly (MazeOutcome | undefined)[],
+  given: number,
+): MazePass[] {
+  const found: MazePass[] = [];
+  for (const [maze, outcome] of outcomes.entries()) {
+    if (maze < given || outcome === undefined || outcome.failure !== null) continue;
+    found.push({ maze, ticks: outcome.ticks });
   }
   return found;
 }

@@ -3,7 +3,7 @@ import { createWorkerPool } from "../../simulator/worker-pool.ts";
 import { pageAddressBar, type AddressBar } from "../address/lesson-address.ts";
 import { Attempt } from "./attempt.ts";
 import { BonusChecker } from "./bonus-checker.ts";
-import { FailureWatcher } from "./failure-watcher.ts";
+import { RunWatcher } from "./run-watcher.ts";
 import { LessonsNavigation } from "./lessons-navigation.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsProgress } from "./lessons-progress.ts";
@@ -20,7 +20,7 @@ export class LessonsService {
   readonly check: ProgramCheck;
   readonly attempt: Attempt;
   readonly navigation: LessonsNavigation;
-  readonly watcher: FailureWatcher;
+  readonly watcher: RunWatcher;
 
   constructor(
     ports: LessonsPorts,
@@ -38,6 +38,6 @@ export class LessonsService {
     this.check = check;
     this.attempt = new Attempt(ports, this.progress, lessons, check);
     this.navigation = new LessonsNavigation(ports, this.attempt, lessons, bar);
-    this.watcher = new FailureWatcher(ports, check.pool, this.navigation);
+    this.watcher = new RunWatcher(ports, check.pool, this.navigation);
   }
 }

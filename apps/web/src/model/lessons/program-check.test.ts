@@ -97,6 +97,10 @@ describe("the progress of a check", () => {
     expect(progress()).toMatchObject({ done: 3, passed: 3, first: null });
     answerAll();
     expect(progress()).toMatchObject({ state: "done", done: 8, passed: 8, failures: [] });
+    // The first mazes are given.
+    const { passes } = progress();
+    expect(passes.map(({ maze }) => maze)).toEqual([3, 4, 5, 6, 7]);
+    expect(Math.min(...passes.map(({ ticks }) => ticks))).toBeGreaterThan(0);
   });
 
   it("names the first failure in the order of the mazes, whichever worker ends first", () => {
@@ -107,8 +111,9 @@ describe("the progress of a check", () => {
     pass();
     expect(progress().first).toBeNull();
     answerAll();
-    const { first, failures, passed } = progress();
+    const { first, failures, passed, passes } = progress();
     expect([first?.maze, passed + failures.length]).toEqual([0, 8]);
+    expect(passes).toHaveLength(passed);
     expect(failures.map(({ maze }) => maze)).toEqual(
       failures.map(({ maze }) => maze ?? 0).toSorted((one, other) => one - other),
     );

@@ -15,7 +15,13 @@ import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { diagnoseAttempts } from "../../simulator/diagnose-attempts.ts";
 import type { WorkerPool } from "../../simulator/worker-pool.ts";
-import { failuresOf, resultOf, type MazeFailure } from "../check/attempt-result.ts";
+import {
+  failuresOf,
+  resultOf,
+  unseenPasses,
+  type MazeFailure,
+  type MazePass,
+} from "../check/attempt-result.ts";
 import type { CheckAnswer, CheckRequest } from "../check/checked-task.ts";
 import { PoolCheck, type Later } from "../check/pool-check.ts";
 
@@ -30,6 +36,8 @@ export interface CheckProgress {
   first: MazeFailure | null;
   /** mazes in which the program fails, in order; empty while the check runs */
   failures: readonly MazeFailure[];
+  /** unseen mazes in which the program passes, in order; empty while the check runs */
+  passes: readonly MazePass[];
 }
 
 export type CheckEnd =
@@ -43,6 +51,7 @@ const idle: CheckProgress = {
   passed: 0,
   first: null,
   failures: [],
+  passes: [],
 };
 
 export class ProgramCheck {
@@ -90,8 +99,10 @@ export class ProgramCheck {
         },
         onShow: (done) => {
           const { passed, first } = resultOf(task, program, null, outcomes);
-          const failures = this.#check.isRunning ? [] : failuresOf(outcomes);
-          this.progress.setState({ done, passed, first, failures });
+          const ended = this.#check.isRunning ? [] : outcomes;
+          const failures = failuresOf(ended);
+          const passes = unseenPasses(ended, task.mazes.length);
+          this.progress.setState({ done, passed, first, failures, passes });
         },
         onEnd: (reason) => {
           if (reason === "failed") {

@@ -1,12 +1,13 @@
 /**
- * Plays the last seconds of a failed run of a check. A given maze opens in its task, an unseen one as
- * a project of its own, with a message that leads back.
+ * Opens the runs of a check. A failed run plays its last seconds, one that passes opens at its start.
+ * A given maze opens in its task, an unseen one as a project of its own, with a message that leads
+ * back.
  */
 import { mazeOf, type LessonTask } from "@corridor/challenge";
 import { recordRun } from "../../simulator/record-runs.ts";
 import type { WorkerPool } from "../../simulator/worker-pool.ts";
 import { openTask } from "../challenge/challenge-store.ts";
-import type { MazeFailure } from "../check/attempt-result.ts";
+import type { MazeFailure, MazePass } from "../check/attempt-result.ts";
 import { failureStart } from "../check/failure-start.ts";
 import { RunOpener } from "../projects/run-opener.ts";
 import { loadRun } from "../run/run-requests.ts";
@@ -15,7 +16,14 @@ import { showMessage } from "../screen/screen-store.ts";
 import type { LessonsNavigation } from "./lessons-navigation.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 
-export class FailureWatcher {
+/** A run in an unseen maze. */
+interface UnseenRun {
+  maze: number;
+  ticks: number;
+  doesFail: boolean;
+}
+
+export class RunWatcher {
   readonly #ports: LessonsPorts;
   readonly #pool: WorkerPool;
   readonly #navigation: Pick<LessonsNavigation, "showMaze">;
@@ -37,20 +45,33 @@ export class FailureWatcher {
    * @param opened says what happens in a maze of its own project
    */
   async watch({ maze, failure }: MazeFailure, name: string, opened: string): Promise<void> {
-    const { challenge, workspace, words } = this.#ports;
-    const task = openTask(challenge.getState());
+    const task = openTask(this.#ports.challenge.getState());
     if (task === null || maze === null) return;
-    const { program } = workspace.getState();
     const ticks = failure.tick ?? 0;
-    if (maze < task.mazes.length) {
-      await this.#watchGiven(task, maze, ticks);
-      return;
-    }
+    if (maze < task.mazes.length) await this.#watchGiven(task, maze, ticks);
+    else await this.#openUnseen(task, { maze, ticks, doesFail: true }, name, opened);
+  }
+
+  /** Opens an unseen maze in which the program passes. See `watch`. */
+  async open(pass: MazePass, name: string, opened: string): Promise<void> {
+    const task = openTask(this.#ports.challenge.getState());
+    if (task !== null) await this.#openUnseen(task, { ...pass, doesFail: false }, name, opened);
+  }
+
+  async #openUnseen(
+    task: LessonTask,
+    { maze, ticks, doesFail }: UnseenRun,
+    name: string,
+    opened: string,
+  ): Promise<void> {
+    const { workspace, words } = this.#ports;
+    const { program } = workspace.getState();
     const run = { maze: { ...mazeOf(task, maze), name }, attempt: program, ticks };
-    await this.#opener.open(run, true, {
+    await this.#opener.open(run, doesFail, {
       opened,
       notOpened: words.t("check:notOpened"),
       back: words.t("missions:lesson.back"),
+      stays: true,
     });
   }
 

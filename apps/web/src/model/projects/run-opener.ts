@@ -29,6 +29,8 @@ interface OpenerWords {
   notOpened: string;
   /** label of the button that leads back */
   back: string;
+  /** whether the message is the only way back, so that it stays while the run is open */
+  stays?: boolean;
 }
 
 /** How to return to what was open before, which stays the same from one run to the next. */
@@ -70,6 +72,7 @@ export class RunOpener {
     const id = showMessage(screen, {
       tone: "info",
       text: words.opened,
+      ...(words.stays === true && { stays: true, isOfProject: true }),
       action: {
         label: words.back,
         run: () => {

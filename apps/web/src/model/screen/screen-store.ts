@@ -28,7 +28,8 @@ export interface Message {
   /** whether information stays until it is dismissed; otherwise it disappears after some seconds */
   stays?: boolean;
   /**
-   * whether it offers to undo an edit of the open project; it disappears when another project opens
+   * whether it offers to undo an edit of the open project, or to leave it; it disappears when another
+   * project opens
    */
   isOfProject?: boolean;
   /** progress from 0 to 1 of the task that the message is about */

@@ -37,10 +37,12 @@ export function lessonsPage() {
     current = project;
     openProject(workspace, project.maze, project.program);
   };
-  const begin = (maze: MazeDocument, program: ProgramDocument | null): void => {
+  const begin = (maze: MazeDocument, program: ProgramDocument | null): (() => void) => {
+    const before = current;
     const project = { id: `project-${projects.length}`, maze, program: program ?? firstProgram };
     projects.push(project);
     open(project);
+    return () => open(before);
   };
   const ports = {
     challenge,
