@@ -4,28 +4,14 @@ import { limits } from "../platform/limits/limits.ts";
 import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
 import { SqliteFile } from "../store/sqlite/file/sqlite-file.ts";
 import { SqliteClassStore } from "../store/sqlite/sqlite-class-store.ts";
+import { classRow } from "../store/testing/class-row.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { ClassCommits } from "./class-commits.ts";
 import { stateOf } from "./class-state.ts";
 import { unchanged } from "./step.ts";
 import { lockStep } from "./teacher-steps.ts";
 
-const row = {
-  version: 0,
-  n: 0,
-  stream: "abcdefgh",
-  createdAt: 0,
-  names: null,
-  expected: null,
-  keys: [],
-  code: "BCDFGH",
-  isLocked: false,
-  pause: null,
-  pausedMs: 0,
-  paceTo: null,
-  lessonVersion: "first",
-  lastStudent: 0,
-};
+const row = classRow();
 
 /** One relay of a class. `locked` is what its dashboards were last sent. */
 function relayOf(id: string, store: SqliteClassStore, clock: FakeClock) {

@@ -6,6 +6,7 @@ import { Refusal } from "../platform/errors/problems.ts";
 import { hashKey } from "../platform/keys.ts";
 import type { ClassRecord } from "../bus/class-record.ts";
 import type { ClassRow } from "../store/class-store.ts";
+import { classRow } from "../store/testing/class-row.ts";
 import { applied, pausedMs, settingsOf, type ClassState } from "./class-state.ts";
 import type { Step } from "./step.ts";
 import {
@@ -29,24 +30,7 @@ import {
 const CODE = "BCDFGH";
 
 function newClass(change: Partial<ClassRow> = {}): ClassState {
-  const row: ClassRow = {
-    version: 0,
-    n: 0,
-    stream: "abcdefgh",
-    createdAt: 0,
-    names: null,
-    expected: null,
-    keys: [],
-    code: CODE,
-    isLocked: false,
-    pause: null,
-    pausedMs: 0,
-    paceTo: null,
-    lessonVersion: "v",
-    lastStudent: 0,
-    ...change,
-  };
-  return { row, students: new Map() };
+  return { row: classRow({ code: CODE, lessonVersion: "v", ...change }), students: new Map() };
 }
 
 /** A class that steps change, at the time `now`. */

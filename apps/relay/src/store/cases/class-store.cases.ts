@@ -1,30 +1,20 @@
 /** Requirements for every class store, for any database. */
 import { describe, expect, it } from "vitest";
-import type { ClassChanges, ClassRow, ClassStore, NewClass, StudentRow } from "../class-store.ts";
+import type { ClassChanges, ClassStore, NewClass, StudentRow } from "../class-store.ts";
+import { classRow } from "../testing/class-row.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
 const NOW = 1_000;
 
-const row: ClassRow = {
-  version: 0,
-  n: 0,
-  stream: "abcdefgh",
+const row = classRow({
   createdAt: NOW,
   names: ["Juniper the first", "Bo"],
-  expected: null,
   keys: [
     { kind: "teach", hash: "hash-of-the-teacher-key" },
     { kind: "show", hash: "hash-of-the-screen-key" },
   ],
-  code: "BCDFGH",
-  isLocked: false,
-  pause: null,
-  pausedMs: 0,
-  paceTo: null,
-  lessonVersion: "first",
-  lastStudent: 0,
-};
+});
 const admits = { id: ID, student: null, endsAt: null };
 const created: NewClass = { id: ID, row, lesson: '{"name":"a lesson"}', code: "hash-of-the-code" };
 
