@@ -8,7 +8,7 @@ import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { showsHelp } from "../../model/challenge/challenge-store.ts";
-import type { MazeFailure, MazePass } from "../../model/check/attempt-result.ts";
+import type { MazeFailure } from "../../model/check/attempt-result.ts";
 import {
   failureSentence,
   firstFailureSentence,
@@ -67,6 +67,10 @@ function Finished({ task, service, progress, hasBlame }: FinishedProps) {
   const words: CheckWords = { t, language: i18n.language };
   const numberOf = (count: number): string => groupedNumber(count, i18n.language);
   const first = progress.first && withoutBlame(progress.first, hasBlame);
+  const watch = (failure: MazeFailure): void => {
+    const name = mazeName(t, task, failure.maze ?? 0);
+    void service.watcher.watch(failure, name, failureSentence(words, task, failure));
+  };
   const sentences = [
     progress.state === "stopped"
       ? progressText(words, progress)
@@ -85,9 +89,9 @@ function Finished({ task, service, progress, hasBlame }: FinishedProps) {
           ))}
         </p>
         {first !== null && (
-          <WatchButton task={task} service={service} failure={first}>
+          <Button size="small" icon={<Icon of={Eye} />} onClick={() => watch(first)}>
             {t("result.watch")}
-          </WatchButton>
+          </Button>
         )}
       </div>
       {progress.failures.length > 1 && (
@@ -99,14 +103,12 @@ function Finished({ task, service, progress, hasBlame }: FinishedProps) {
             progress.failures.map((each) => {
               const failure = withoutBlame(each, hasBlame);
               return (
-                <li key={each.maze} className={styles["item"]}>
-                  <WatchButton task={task} service={service} failure={failure} isRow>
-                    {mazeName(t, task, each.maze ?? 0)}
-                  </WatchButton>
-                  <span className={styles["reason"]}>
-                    {reasonText(words, task, failure.failure)}
-                  </span>
-                </li>
+                <MazeRow
+                  key={each.maze}
+                  name={mazeName(t, task, each.maze ?? 0)}
+                  reason={reasonText(words, task, failure.failure)}
+                  onOpen={() => watch(failure)}
+                />
               );
             })
           }
@@ -118,9 +120,20 @@ function Finished({ task, service, progress, hasBlame }: FinishedProps) {
           label={t("result.passingList")}
         >
           {() =>
-            progress.passes.map((pass) => (
-              <PassingMaze key={pass.maze} task={task} service={service} pass={pass} />
-            ))
+            progress.passes.map((pass) => {
+              const maze = mazeName(t, task, pass.maze);
+              const seconds = formatSeconds(pass.ticks, i18n.language);
+              const reason = t("result.passesIn", { seconds });
+              const opened = t("failure.inMaze", { maze, reason });
+              return (
+                <MazeRow
+                  key={pass.maze}
+                  name={maze}
+                  reason={reason}
+                  onOpen={() => void service.watcher.open(pass, maze, opened)}
+                />
+              );
+            })
           }
         </MazeList>
       )}
@@ -152,11 +165,14 @@ function MazeList({ summary, label, children }: MazeListProps) {
   );
 }
 
-/** An unseen maze in which the program passes: its name opens it. */
-function PassingMaze({ task, service, pass }: CheckResultProps & { pass: MazePass }) {
-  const { t, i18n } = useTranslation("check", { useSuspense: false });
-  const maze = mazeName(t, task, pass.maze);
-  const reason = t("result.passesIn", { seconds: formatSeconds(pass.ticks, i18n.language) });
+interface MazeRowProps {
+  /** of the maze, which opens its run */
+  name: string;
+  reason: string;
+  onOpen: () => void;
+}
+
+function MazeRow({ name, reason, onOpen }: MazeRowProps) {
   return (
     <li className={styles["item"]}>
       <Button
@@ -164,37 +180,12 @@ function PassingMaze({ task, service, pass }: CheckResultProps & { pass: MazePas
         kind="quiet"
         icon={<Icon of={Eye} />}
         className={styles["watch"]}
-        onClick={() => void service.watcher.open(pass, maze, t("failure.inMaze", { maze, reason }))}
+        onClick={onOpen}
       >
-        {maze}
+        {name}
       </Button>
       <span className={styles["reason"]}>{reason}</span>
     </li>
-  );
-}
-
-interface WatchButtonProps extends CheckResultProps {
-  failure: MazeFailure;
-  isRow?: boolean;
-  children: string;
-}
-
-function WatchButton({ task, service, failure, isRow = false, children }: WatchButtonProps) {
-  const { t, i18n } = useTranslation("check", { useSuspense: false });
-  return (
-    <Button
-      size="small"
-      kind={isRow ? "quiet" : "outline"}
-      icon={<Icon of={Eye} />}
-      className={isRow ? styles["watch"] : undefined}
-      onClick={() => {
-        const name = mazeName(t, task, failure.maze ?? 0);
-        const opened = failureSentence({ t, language: i18n.language }, task, failure);
-        void service.watcher.watch(failure, name, opened);
-      }}
-    >
-      {children}
-    </Button>
   );
 }
 
