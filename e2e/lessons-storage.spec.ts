@@ -73,6 +73,8 @@ async function mergeTabs(corridor: CorridorPage, lessons: LessonsPanel): Promise
 async function reopenByHand(corridor: CorridorPage, lessons: LessonsPanel): Promise<void> {
   const { page } = corridor;
   await lessons.openMission(2);
+  // The robot is at its start, wherever the run before ended.
+  await expectByHand(corridor);
   await corridor.reload();
   await lessons.expectMission(2);
   await expectByHand(corridor);

@@ -36,8 +36,11 @@ export function loadRun(
 }
 
 /** Restores this tab's run from before a reload: see `RestoreRun`. */
-export function restoreRun(simulator: Simulator, key: string, isSameProject: boolean): RunLoad {
-  return request(simulator, (id) => ({ type: "restore-run", id, key, isSameProject }));
+export function restoreRun(
+  simulator: Simulator,
+  which: Pick<RestoreRun, "key" | "isSameProject" | "wasAtStart">,
+): RunLoad {
+  return request(simulator, (id) => ({ type: "restore-run", id, ...which }));
 }
 
 function request(

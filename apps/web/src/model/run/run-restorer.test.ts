@@ -247,8 +247,44 @@ describe("a run over a reload", () => {
     expect(reloaded.lost).toEqual([]);
   });
 
+  it.each([
+    { name: "of the same project", maze: firstMaze },
+    { name: "of a project that was opened", maze: { ...firstMaze, name: "another" } },
+  ])("starts at the start if a run $name was just reset", async ({ maze }) => {
+    const page = openPage();
+    await page.keeper.resume();
+    page.loop.run();
+    // The reset follows a write by less than the interval of writes.
+    await page.pass(1_100);
+    page.workspace.setState({ maze });
+    page.loop.editMaze(maze);
+    page.loop.reset();
+    await page.pass(8);
+    page.keeper.flush();
+    const reloaded = openPage(page, maze);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBe(0);
+    expect(reloaded.lost).toEqual([]);
+  });
+
+  it("is restored if the page was hidden at the start, drove on, and ended without a notice", async () => {
+    const page = openPage();
+    await page.keeper.resume();
+    page.loop.run();
+    await page.pass(1_000);
+    page.loop.reset();
+    await page.pass(300);
+    page.keeper.flush();
+    page.loop.run();
+    await page.pass(1_000);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+  });
+
   it("has the latest edits if the page had time to store them", async () => {
     const page = openPage();
+    await page.keeper.resume();
     page.loop.run();
     await page.pass(1_000);
     const program = { ...firstProgram, default: "stop" as const };
@@ -263,6 +299,7 @@ describe("a run over a reload", () => {
 
   it("is not restored if another maze is open now, or the robot drives already", async () => {
     const page = openPage();
+    await page.keeper.resume();
     page.loop.run();
     await page.pass(1_000);
     page.keeper.flush();
@@ -305,6 +342,7 @@ describe("a run over a reload", () => {
     void hasty.keeper.resume();
     await settle();
     await hasty.pass(1_000);
+    hasty.keeper.flush();
     const reloaded = openPage(page);
     await reloaded.keeper.resume();
     expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
@@ -312,6 +350,7 @@ describe("a run over a reload", () => {
 
   it("leaves nothing behind while it stands at its start", async () => {
     const page = openPage();
+    await page.keeper.resume();
     await page.pass(500);
     page.keeper.flush();
     expect(page.tab.length).toBe(0);

@@ -1,6 +1,6 @@
 /**
- * Restores this tab's run after a reload. The worker stores the run; the tab stores its key and
- * which project was open when the page was left.
+ * Restores this tab's run after a reload. The worker stores the run, at most a quarter of a second
+ * late; the tab stores its key, and what was open when the page was left.
  */
 import { isSameMaze } from "@corridor/maze";
 import { isSameProgram } from "@corridor/program";
@@ -14,6 +14,8 @@ import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 const KEY = "corridor.run";
 /** The documents that were open when the page was left, as one JSON text. */
 const PROJECT_KEY = "corridor.run.project";
+/** Stored if the robot was at its start then, so that no run from before a reset is restored. */
+const START_KEY = "corridor.run.start";
 
 export interface RunRestorerPorts {
   simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
@@ -32,35 +34,54 @@ export class RunRestorer {
   /** the run that is being restored */
   #load: RunLoad | null = null;
   #hasReported = false;
+  /** whether the start is stored */
+  #isAtStart: boolean;
+  #hasResumed = false;
 
   /** Starts to store the key of the worker's run. */
   constructor(ports: RunRestorerPorts) {
     this.#ports = ports;
+    this.#isAtStart = ports.tab.getItem(START_KEY) !== null;
     ports.simulator.listen((message) => {
       if (message.type === "run-key") this.#storeKey(message.key);
       if (message.type !== "frame") return;
       this.#frame = message.frame;
+      // A hidden page may drive, and end without another flush.
+      if (this.#isAtStart && message.frame.nowTick > 0) {
+        this.#isAtStart = false;
+        ports.tab.removeItem(START_KEY);
+      }
       // A user who drives or edits while a long run is restored has started another run.
       if (!this.#isUntouched()) this.#load?.cancel();
     });
   }
 
-  /** Stores which project is open; synchronously, since the page may be closing. */
+  /**
+   * Stores what is open; synchronously, since the page may be closing. Before `resume` has ended,
+   * the stored run is still the one from before this page.
+   */
   flush(): void {
-    if (this.#ports.tab.getItem(KEY) !== null) this.#write(PROJECT_KEY, this.#project());
+    if (!this.#hasResumed || this.#ports.tab.getItem(KEY) === null) return;
+    this.#write(PROJECT_KEY, this.#project());
+    this.#isAtStart = this.#frame?.nowTick === 0 && this.#write(START_KEY, "yes");
   }
 
-  /** Restores the stored run, unless another project is open now or the robot drives already. */
+  /** Restores the stored run, if it is the run that was left; see `restoreWorld`. */
   async resume(): Promise<void> {
+    const key = this.#ports.tab.getItem(KEY);
+    if (key !== null) await this.#restore(key);
+    this.#hasResumed = true;
+  }
+
+  async #restore(key: string): Promise<void> {
     const { tab, simulator, onLost } = this.#ports;
-    const key = tab.getItem(KEY);
-    if (key === null) return;
     const isSameProject = tab.getItem(PROJECT_KEY) === this.#project();
-    this.#load = restoreRun(simulator, key, isSameProject);
+    const wasAtStart = this.#isAtStart;
+    this.#load = restoreRun(simulator, { key, isSameProject, wasAtStart });
     const loaded = await this.#load.loaded;
     this.#load = null;
     if (loaded.ok) this.#sendEdits(loaded);
-    else if (loaded.reason !== "cancelled" && loaded.reason !== "other-project") onLost();
+    else if (loaded.reason !== "cancelled" && loaded.reason !== "other-run") onLost();
   }
 
   #storeKey(key: string | null): void {

@@ -66,6 +66,8 @@ export interface RestoreRun {
    * decide
    */
   isSameProject: boolean;
+  /** whether the robot was at its start then: a stored run in which it has moved ended by a reset */
+  wasAtStart: boolean;
 }
 
 /** Adds a recorded run of the same maze to the race; answered by `ghost-added` with the same id. */
@@ -233,8 +235,8 @@ export type LoadedRun =
   | { ok: true; maze: MazeDocument; program: ProgramDocument }
   /** it cannot be repeated */
   | { ok: false; reason: "refused"; problems: FieldProblem[] }
-  /** the stored run is of another project, or there is none */
-  | { ok: false; reason: "other-project" | "not-stored" }
+  /** the stored run is of another project or from before a reset, or there is none */
+  | { ok: false; reason: "other-run" | "not-stored" }
   /** cancelled by another request, or the simulator broke, which is reported as a fault */
   | { ok: false; reason: "cancelled" | "fault" };
 

@@ -23,9 +23,12 @@ export interface RestorePorts {
   restored: (journal: RestoredJournal | null) => void;
 }
 
-/** Restores the stored world, unless another project is open now or the robot drives already. */
+/**
+ * Restores the stored world, unless another project is open now, the run was reset since, or the
+ * robot drives already.
+ */
 export async function restoreWorld(
-  { key, isSameProject }: Pick<RestoreRun, "key" | "isSameProject">,
+  { key, isSameProject, wasAtStart }: Pick<RestoreRun, "key" | "isSameProject" | "wasAtStart">,
   { repository, run, load, answer, restored }: RestorePorts,
 ): Promise<void> {
   const world = await repository.claim(key);
@@ -34,8 +37,9 @@ export async function restoreWorld(
   if (!read.ok) return answer({ ...read, reason: "refused" });
   if (!run.isUntouched) return answer({ ok: false, reason: "cancelled" });
   load(read.value, (recording) => {
-    const { maze, program } = recording.run;
-    if (!isSameProject && !run.isOf(maze, program)) return { ok: false, reason: "other-project" };
+    const { maze, program, tick } = recording.run;
+    const isOther = !isSameProject && !run.isOf(maze, program);
+    if (isOther || (wasAtStart && tick > 0)) return { ok: false, reason: "other-run" };
     restored(world.journal === null ? null : endedBy(world.journal, recording.run));
     return run.open(recording);
   });
