@@ -12,8 +12,9 @@ import { benchLesson } from "./bench-lesson.ts";
 import { traceFrames } from "./frame-times.ts";
 import { capturePoolWorkerUrl, runAlone } from "./pool-worker.ts";
 import type { PageUnderTest, Section } from "./section.ts";
+import { waitUntilStored } from "./wait-until-stored.ts";
 
-const ROUNDS = 5;
+const ROUNDS = 11;
 const TRACE_MS = 2500;
 const FRAME_MS = 1000 / 60;
 const SIDE = 11;
@@ -86,6 +87,7 @@ async function openLesson(browser: Browser, url: string, program: ProgramDocumen
   await page.getByRole("button", { name: /^Check in all/ }).waitFor();
   // Resources that load late belong to opening the lesson, not to the check.
   await page.waitForLoadState("networkidle");
+  await waitUntilStored(page);
   return page;
 }
 

@@ -12,6 +12,7 @@ import { median } from "../core/measure.ts";
 import { traceFrames } from "./frame-times.ts";
 import { capturePoolWorkerUrl, runAlone } from "./pool-worker.ts";
 import type { PageUnderTest, Section } from "./section.ts";
+import { waitUntilStored } from "./wait-until-stored.ts";
 
 const ROUNDS = 5;
 const TRACE_MS = 1500;
@@ -83,6 +84,7 @@ async function openWith(browser: Browser, url: string, program: ProgramDocument)
   await page.getByRole("button", { name: "Try it in other mazes" }).waitFor();
   // Resources that load late belong to the first visit, not to this measurement.
   await page.waitForLoadState("networkidle");
+  await waitUntilStored(page);
   return page;
 }
 

@@ -6,6 +6,7 @@ import type { ProgramDocument, Rule } from "@corridor/program";
 import { sensorNames } from "@corridor/protocol";
 import type { Browser, Page } from "playwright";
 import { BenchRun, benchProgram, STAGE_PX } from "./variants/bench-run.ts";
+import { waitUntilStored } from "./wait-until-stored.ts";
 
 /** Width of the panel beside the stage, and approximate height of the bars above and below it. */
 const PANEL_PX = 412;
@@ -61,6 +62,7 @@ export async function openProduct(
     return Number(clock?.[1]) * 60 + Number(clock?.[2]) >= min;
   }, seconds);
   await speed.selectOption("1");
+  await waitUntilStored(page);
   return page;
 }
 

@@ -7,6 +7,7 @@ import type { Browser, Page } from "playwright";
 import { processorTime, traceWhile, type TraceEvent } from "./frame-times.ts";
 import { HOUR_TICKS, type HourRun } from "./hour-runs.ts";
 import { measurePageMemory, type PageMemory } from "./page-memory.ts";
+import { waitUntilStored } from "./wait-until-stored.ts";
 
 const JUMPS = 300;
 /** Delay after opening the file and after the pointer press, which are not part of a jump. */
@@ -44,6 +45,7 @@ export async function scrubPage(
   await page.addInitScript(markJumps, { REQUESTED, DISPLAYED });
   await page.goto(url);
   await openRun(page, run);
+  await waitUntilStored(page);
   const events = await traceWhile(browser, () => jumpRandomly(page));
   const jumps = jumpsOf(events);
   if (jumps.length !== JUMPS) throw new Error(`Only ${jumps.length} of ${JUMPS} jumps completed.`);

@@ -7,6 +7,7 @@ import type { Goal } from "../core/goals.ts";
 import { quantile } from "../core/measure.ts";
 import { traceFrames, type FrameTimes } from "./frame-times.ts";
 import type { PageUnderTest, Section } from "./section.ts";
+import { waitUntilStored } from "./wait-until-stored.ts";
 
 const ROUNDS = 3;
 const TRACE_MS = 3000;
@@ -26,6 +27,7 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
   await page.goto("/");
   const address = await copyAddress(page);
   await page.waitForLoadState("networkidle");
+  await waitUntilStored(page);
   const [short, long] = [emptyTimes(), emptyTimes()];
   let endings = 0;
   for (let round = 0; round < ROUNDS; round++) {
