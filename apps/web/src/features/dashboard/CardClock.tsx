@@ -6,7 +6,6 @@ import styles from "./card-clock.module.css";
 
 const SECOND_MS = 1_000;
 const MINUTE_MS = 60_000;
-const TOGETHER_MS = 500;
 
 /** A line for each second of a minute. */
 const strip = Array.from({ length: 60 }, (_, n) => String(n).padStart(2, "0")).join("\n");
@@ -24,7 +23,8 @@ const keyframes: Keyframe[] = [
 /**
  * While the time runs, an animation moves a strip of the seconds: a text that changes every second
  * on every card would cost the page more than all its pictures. Each minute starts the animation
- * again, so that it follows the clock of the device.
+ * again, so that it follows the clock of the device. All clocks change at its full seconds, so that
+ * forty clocks need one frame a second.
  */
 export function CardClock({ minutes, startedAt, seconds }: CardTime) {
   return (
@@ -42,8 +42,8 @@ export function CardClock({ minutes, startedAt, seconds }: CardTime) {
 }
 
 /**
- * The whole minutes of a time. While it runs, renders again at the start of each minute, together
- * with all other times whose minute starts within half a second: a class joins within seconds, and
+ * The whole minutes of a time. While it runs, renders again at the first full second of each
+ * minute, together with all other times whose minute starts then: a class joins within seconds, and
  * a render for each card would make every frame of these seconds longer.
  */
 export function useMinutes({ minutes, startedAt }: CardTime): number {
@@ -52,8 +52,7 @@ export function useMinutes({ minutes, startedAt }: CardTime): number {
       if (startedAt === null) return () => undefined;
       let timer: ReturnType<typeof setTimeout>;
       const wait = (): void => {
-        const nextAt = startedAt + (minutesSince(startedAt) + 1) * MINUTE_MS;
-        const dueAt = Math.ceil(nextAt / TOGETHER_MS) * TOGETHER_MS;
+        const dueAt = fullSecond(startedAt + (minutesSince(startedAt) + 1) * MINUTE_MS);
         timer = setTimeout(() => {
           notify();
           wait();
@@ -73,13 +72,18 @@ function minutesSince(startedAt: number): number {
   return Math.max(0, Math.floor((Date.now() - startedAt) / MINUTE_MS));
 }
 
+/** The next full second of the device's clock, in ms since 1970. */
+function fullSecond(at: number): number {
+  return Math.ceil(at / SECOND_MS) * SECOND_MS;
+}
+
 /** The seconds of one minute. @param from its start, in ms since 1970 */
 function Seconds({ from }: { from: number }) {
   const element = useRef<HTMLSpanElement>(null);
   useLayoutEffect(() => {
     const motion = element.current?.animate(keyframes, { duration: 2 * LAST_MS, fill: "both" });
     if (motion === undefined) return;
-    motion.currentTime = Date.now() - from;
+    motion.currentTime = Date.now() - fullSecond(from);
     return () => motion.cancel();
   }, [from]);
   return (
