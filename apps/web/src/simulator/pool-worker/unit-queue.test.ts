@@ -25,8 +25,8 @@ function setUp(unitMs: number) {
 const outcome = { failure: null, ticks: 1, bumps: 0, visited: 1, open: 1, distance: 0 };
 
 describe("the units of a worker", () => {
-  it("run in slices of ten milliseconds, each with one message", () => {
-    const { queue, posted } = setUp(4);
+  it("run in slices of 25 milliseconds, each with one message", () => {
+    const { queue, posted } = setUp(10);
     queue.receive({ type: "begin", id: 1, job });
     queue.receive({ type: "units", from: 0, to: 3 });
     queue.receive({ type: "units", from: 7, to: 9 });
