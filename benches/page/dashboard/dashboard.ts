@@ -15,7 +15,7 @@ import { measureTileMemory } from "./tile-memory.ts";
 const TYPICAL = 40;
 const LARGEST = 200;
 const ROUNDS = 3;
-const TRACE_MS = 5_000;
+const TRACE_MS = 10_000;
 /** Delay before a trace, so that opening the page is not measured. */
 const STABILISE_MS = 3_000;
 /** Factor by which Chromium slows down the processor. */

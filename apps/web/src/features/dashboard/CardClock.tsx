@@ -1,95 +1,142 @@
-/** The time of a student, in minutes and seconds. */
+/** The time of a student, in hours, minutes and seconds. */
 import { useCallback, useLayoutEffect, useRef, useSyncExternalStore } from "react";
 import { classTimeText } from "./class-time-text.ts";
+import { atFullSecond, fullSecond } from "./full-seconds.ts";
 import type { CardTime } from "./use-card.ts";
 import styles from "./card-clock.module.css";
 
 const SECOND_MS = 1_000;
 const MINUTE_MS = 60_000;
+const HOUR_MS = 3_600_000;
+/** Before that, the minutes have one digit. */
+const TWO_DIGITS_MS = 10 * MINUTE_MS;
+/** A strip is set to the clock of the device if it is this far from it: the device has slept. */
+const DRIFT_MS = 250;
 
-/** A line for each second of a minute. */
-const strip = Array.from({ length: 60 }, (_, n) => String(n).padStart(2, "0")).join("\n");
-
-/** When the last second of a minute begins. */
-const LAST_MS = MINUTE_MS - SECOND_MS;
-const last = "translateY(calc(-100% * 59 / 60))";
-/** The last second stays until the page starts the next minute. */
-const keyframes: Keyframe[] = [
-  { transform: "none", easing: "steps(59)" },
-  { transform: last, offset: 0.5 },
-  { transform: last },
-];
+const ten = Array.from({ length: 10 }, (_, n) => String(n));
+const sixty = Array.from({ length: 60 }, (_, n) => String(n).padStart(2, "0"));
 
 /**
- * While the time runs, an animation moves a strip of the seconds: a text that changes every second
- * on every card would cost the page more than all its pictures. Each minute starts the animation
- * again, so that it follows the clock of the device. All clocks change at its full seconds, so that
- * forty clocks need one frame a second.
+ * While the time runs, animations move strips of numbers: a text that changes every second on every
+ * card would cost the page more than all its pictures, and one that changes every minute as much in
+ * that second. All clocks change at full seconds of the device, so that forty clocks need one frame
+ * a second.
  */
-export function CardClock({ minutes, startedAt, seconds }: CardTime) {
+export function CardClock({ time }: { time: CardTime }) {
+  const { minutes, seconds, startedAt } = time;
   return (
     <span className={styles["clock"]} dir="ltr">
       {startedAt === null ? (
         classTimeText(minutes * MINUTE_MS + seconds * SECOND_MS)
       ) : (
-        <>
-          {classTimeText(minutes * MINUTE_MS).slice(0, -2)}
-          <Seconds from={startedAt + minutes * MINUTE_MS} />
-        </>
+        <RunningClock startedAt={startedAt} />
       )}
     </span>
   );
 }
 
-/**
- * The whole minutes of a time. While it runs, renders again at the first full second of each
- * minute, together with all other times whose minute starts then: a class joins within seconds, and
- * a render for each card would make every frame of these seconds longer.
- */
+function RunningClock({ startedAt }: { startedAt: number }) {
+  const hours = useTime(startedAt, shownHours);
+  const from = fullSecond(startedAt);
+  return (
+    <>
+      {hours > 0 && `${hours}:`}
+      <Strip lines={hours < 0 ? ten : sixty} lineMs={MINUTE_MS} from={from} />
+      {":"}
+      <Strip lines={sixty} lineMs={SECOND_MS} from={from} />
+    </>
+  );
+}
+
+/** A part of a running time that seldom changes. */
+interface TimePart {
+  of: (ms: number) => number;
+  /** when a value ends, in ms */
+  end: (value: number) => number;
+}
+
+const wholeMinutes: TimePart = {
+  of: (ms) => Math.floor(ms / MINUTE_MS),
+  end: (minutes) => (minutes + 1) * MINUTE_MS,
+};
+
+/** -1 while the minutes have one digit. */
+const shownHours: TimePart = {
+  of: (ms) => (ms < TWO_DIGITS_MS ? -1 : Math.floor(ms / HOUR_MS)),
+  end: (hours) => (hours < 0 ? TWO_DIGITS_MS : (hours + 1) * HOUR_MS),
+};
+
+/** The whole minutes of a time. While it runs, renders again at the start of each minute. */
 export function useMinutes({ minutes, startedAt }: CardTime): number {
+  const running = useTime(startedAt, wholeMinutes);
+  return startedAt === null ? minutes : running;
+}
+
+/**
+ * A part of the time since a start; 0 without one. Renders again when the part changes, together
+ * with all others that change at the same second: a class joins within seconds.
+ */
+function useTime(startedAt: number | null, part: TimePart): number {
+  const value = useCallback(
+    () => (startedAt === null ? 0 : part.of(Math.max(0, Date.now() - startedAt))),
+    [startedAt, part],
+  );
   const follow = useCallback(
     (notify: () => void) => {
       if (startedAt === null) return () => undefined;
-      let timer: ReturnType<typeof setTimeout>;
+      let cancel: () => void;
       const wait = (): void => {
-        const dueAt = fullSecond(startedAt + (minutesSince(startedAt) + 1) * MINUTE_MS);
-        timer = setTimeout(() => {
+        cancel = atFullSecond(startedAt + part.end(value()), () => {
           notify();
           wait();
-        }, dueAt - Date.now());
+        });
       };
       wait();
-      return () => clearTimeout(timer);
+      return () => cancel();
     },
-    [startedAt],
+    [startedAt, part, value],
   );
-  return useSyncExternalStore(follow, () =>
-    startedAt === null ? minutes : minutesSince(startedAt),
-  );
+  return useSyncExternalStore(follow, value);
 }
 
-function minutesSince(startedAt: number): number {
-  return Math.max(0, Math.floor((Date.now() - startedAt) / MINUTE_MS));
+interface StripProps {
+  lines: readonly string[];
+  /** how long a line is shown */
+  lineMs: number;
+  /** when the first line is shown first, in ms since 1970 */
+  from: number;
 }
 
-/** The next full second of the device's clock, in ms since 1970. */
-function fullSecond(at: number): number {
-  return Math.ceil(at / SECOND_MS) * SECOND_MS;
-}
-
-/** The seconds of one minute. @param from its start, in ms since 1970 */
-function Seconds({ from }: { from: number }) {
+function Strip({ lines, lineMs, from }: StripProps) {
   const element = useRef<HTMLSpanElement>(null);
   useLayoutEffect(() => {
-    const motion = element.current?.animate(keyframes, { duration: 2 * LAST_MS, fill: "both" });
+    const motion = element.current?.animate(
+      [{ transform: "none" }, { transform: "translateY(-100%)" }],
+      {
+        duration: lines.length * lineMs,
+        easing: `steps(${lines.length})`,
+        fill: "both",
+        iterations: Number.POSITIVE_INFINITY,
+      },
+    );
     if (motion === undefined) return;
-    motion.currentTime = Date.now() - fullSecond(from);
-    return () => motion.cancel();
-  }, [from]);
+    let cancel: () => void;
+    const follow = (): void => {
+      const now = Date.now();
+      const drift = Number(motion.currentTime) - (now - from);
+      if (Math.abs(drift) > DRIFT_MS) motion.currentTime = now - from;
+      cancel = atFullSecond(now + MINUTE_MS, follow);
+    };
+    follow();
+    return () => {
+      cancel();
+      motion.cancel();
+    };
+  }, [lines, lineMs, from]);
   return (
-    <span className={styles["seconds"]}>
+    <span className={styles["window"]}>
       <span ref={element} className={styles["strip"]}>
-        {strip}
+        {lines.join("\n")}
       </span>
     </span>
   );

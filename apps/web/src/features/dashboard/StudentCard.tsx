@@ -18,27 +18,15 @@ interface StudentCardProps {
   onWatch: (student: number) => void;
 }
 
-const noTime: CardTime = { minutes: 0, startedAt: null, seconds: 0 };
-
 export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
   const { student: number, isWatched, onWatch } = props;
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const nameOf = useStudentName();
   // Everything that the card renders, so that it renders again only when that changes.
   const facts = useDashboard(useShallow((all) => cardFacts(all, number)));
-  const minutes = useMinutes(facts ?? noTime);
   if (facts === null) return null;
   const { word, text, task, hasTasks, state, lines, attempts, awaySeconds } = facts;
-  const { startedAt, seconds } = facts;
   const name = nameOf({ student: number, name: { word, text } });
-  const spoken = [
-    name,
-    t(`standing.${state}`),
-    ...(hasTasks ? [t("card.task", { task })] : []),
-    t("card.minutes", { count: minutes }),
-    ...(lines === null ? [] : [t("card.lines", { count: lines })]),
-    t("card.attempts", { count: attempts }),
-  ];
   return (
     <li
       className={classNames(
@@ -46,13 +34,16 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
         (state === "help" || state === "stuck") && styles["urgent"],
       )}
     >
-      <button
-        type="button"
-        className={styles["watch"]}
-        data-student={number}
-        aria-label={spoken.join(", ")}
-        aria-expanded={isWatched}
-        onClick={() => onWatch(number)}
+      <WatchButton
+        student={number}
+        time={facts}
+        before={[name, t(`standing.${state}`), ...(hasTasks ? [t("card.task", { task })] : [])]}
+        after={[
+          ...(lines === null ? [] : [t("card.lines", { count: lines })]),
+          t("card.attempts", { count: attempts }),
+        ]}
+        isWatched={isWatched}
+        onWatch={onWatch}
       />
       <StudentPicture student={number} isOld={awaySeconds !== null} />
       <div className={styles["words"]} aria-hidden="true">
@@ -64,7 +55,7 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
           {hasTasks && <span>{t("card.task", { task })}</span>}
           <span>
             <Icon of={Clock} size={14} />
-            <CardClock minutes={minutes} startedAt={startedAt} seconds={seconds} />
+            <CardClock time={facts} />
           </span>
           {lines !== null && (
             <span>
@@ -82,6 +73,29 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
     </li>
   );
 });
+
+interface WatchButtonProps extends StudentCardProps {
+  time: CardTime;
+  /** what a screen reader says before and after the minutes */
+  before: readonly string[];
+  after: readonly string[];
+}
+
+/** Covers the card, and names all of it. Renders again each minute, which the card does not. */
+function WatchButton({ student, time, before, after, isWatched, onWatch }: WatchButtonProps) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const minutes = useMinutes(time);
+  return (
+    <button
+      type="button"
+      className={styles["watch"]}
+      data-student={student}
+      aria-label={[...before, t("card.minutes", { count: minutes }), ...after].join(", ")}
+      aria-expanded={isWatched}
+      onClick={() => onWatch(student)}
+    />
+  );
+}
 
 /** Too long for a chip. The card opens the student's run. */
 function Unverified() {
