@@ -16,7 +16,7 @@ const TYPICAL = 40;
 const LARGEST = 200;
 const ROUNDS = 3;
 const TRACE_MS = 10_000;
-/** Delay before a trace, so that opening the page is not measured. */
+/** Delay before a trace, so that opening the page is not measured, nor the end of its garbage. */
 const STABILISE_MS = 3_000;
 /** Factor by which Chromium slows down the processor. */
 const THROTTLE = 4;
@@ -103,6 +103,7 @@ async function measureLargest(browser: Browser, relay: string): Promise<FrameTim
 
 async function traceLater(browser: Browser, page: Page, ms = TRACE_MS): Promise<FrameTimes> {
   await page.waitForTimeout(STABILISE_MS);
+  await page.requestGC();
   return traceFrames(browser, page, ms);
 }
 
@@ -189,6 +190,11 @@ function printTable({ product, limit, throttled }: Rounds, largest: FrameTimes):
     const cells = numbers.map((number) => number.toFixed(3).padStart(12)).join("");
     console.log(`  ${name.padEnd(24)}${cells}`);
   }
+  const byRound = product.map(({ mainThread }, round) => {
+    const ratio = mean(mainThread) / mean(limit[round]?.mainThread ?? []);
+    return ratio.toFixed(2);
+  });
+  console.log(`  main thread relative to the limit, by round: ${byRound.join(", ")}`);
 }
 
 function percent(numbers: readonly number[], isGood: (number: number) => boolean): number {
