@@ -282,6 +282,20 @@ describe("a run over a reload", () => {
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
   });
 
+  it("is restored again if the page is left right after it was restored", async () => {
+    const page = openPage();
+    await page.keeper.resume();
+    page.loop.run();
+    await page.pass(1_000);
+    page.keeper.flush();
+    const hasty = openPage(page);
+    await hasty.keeper.resume();
+    hasty.keeper.flush();
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+  });
+
   it("has the latest edits if the page had time to store them", async () => {
     const page = openPage();
     await page.keeper.resume();

@@ -63,7 +63,7 @@ export class RunRestorer {
   flush(): void {
     if (!this.#hasResumed || this.#ports.tab.getItem(KEY) === null) return;
     this.#write(PROJECT_KEY, this.#project());
-    this.#isAtStart = this.#frame?.nowTick === 0 && this.#write(START_KEY, "yes");
+    if (this.#frame?.nowTick === 0) this.#isAtStart = this.#write(START_KEY, "yes");
   }
 
   /** Restores the stored run, if it is the run that was left; see `restoreWorld`. */
@@ -80,8 +80,11 @@ export class RunRestorer {
     this.#load = restoreRun(simulator, { key, isSameProject, wasAtStart });
     const loaded = await this.#load.loaded;
     this.#load = null;
-    if (loaded.ok) this.#sendEdits(loaded);
-    else if (loaded.reason !== "cancelled" && loaded.reason !== "other-run") onLost();
+    if (loaded.ok) {
+      // The frames so far are of the robot before it was restored.
+      this.#frame = null;
+      this.#sendEdits(loaded);
+    } else if (loaded.reason !== "cancelled" && loaded.reason !== "other-run") onLost();
   }
 
   #storeKey(key: string | null): void {
