@@ -64,7 +64,7 @@ test("the times of the cards stand while the class is paused", async ({ page, re
   student.report(opened);
   await page.goto(teacher.address());
   await expect(new DashboardPage(page).cards).toHaveCount(1);
-  const time = page.locator("[data-student] ~ div").getByText(/^\d+:/);
+  const time = page.locator("[data-student] ~ div [dir=ltr]");
   const picture = (): Promise<string> => pixels(time);
   const start = await picture();
   await expect.poll(picture).not.toBe(start);

@@ -36,10 +36,17 @@ async function countsWaitingSeparately(corridor: CorridorPage, address: string):
   const { seq } = await (await api(address, "/commands", { action: "right 90" })).json();
   await api(address, `/commands/${seq}?wait=20`);
   await expect(corridor.drivingTime).toHaveText(/^Time 0:00\.[1-9]/);
+  // The page may still display the turn. It is over once time is counted as waiting.
+  await waitsOn(corridor);
   const driven = (await corridor.drivingTime.textContent()) ?? "";
-  const waited = (await corridor.waitingTime.textContent()) ?? "";
-  await expect(corridor.waitingTime).not.toHaveText(waited);
+  await waitsOn(corridor);
   await expect(corridor.drivingTime).toHaveText(driven);
+}
+
+/** Expects the clock to count more time as waiting. */
+async function waitsOn({ waitingTime }: CorridorPage): Promise<void> {
+  const waited = (await waitingTime.textContent()) ?? "";
+  await expect(waitingTime).not.toHaveText(waited);
 }
 
 async function givesTimeOfBump(corridor: CorridorPage, address: string): Promise<void> {

@@ -29,15 +29,15 @@ export function CardClock({ time }: { time: CardTime }) {
       {startedAt === null ? (
         classTimeText(minutes * MINUTE_MS + seconds * SECOND_MS)
       ) : (
-        <RunningClock startedAt={startedAt} />
+        <RunningClock from={fullSecond(startedAt)} />
       )}
     </span>
   );
 }
 
-function RunningClock({ startedAt }: { startedAt: number }) {
-  const hours = useTime(startedAt, shownHours);
-  const from = fullSecond(startedAt);
+/** @param from when it was 0:00, at a full second, in ms since 1970 */
+function RunningClock({ from }: { from: number }) {
+  const hours = useTime(from, shownHours);
   return (
     <>
       {hours > 0 && `${hours}:`}
@@ -68,25 +68,25 @@ const shownHours: TimePart = {
 
 /** The whole minutes of a time. While it runs, renders again at the start of each minute. */
 export function useMinutes({ minutes, startedAt }: CardTime): number {
-  const running = useTime(startedAt, wholeMinutes);
+  const running = useTime(startedAt === null ? null : fullSecond(startedAt), wholeMinutes);
   return startedAt === null ? minutes : running;
 }
 
 /**
- * A part of the time since a start; 0 without one. Renders again when the part changes, together
+ * A part of the time since a full second; 0 without one. Renders again when the part changes, together
  * with all others that change at the same second: a class joins within seconds.
  */
-function useTime(startedAt: number | null, part: TimePart): number {
+function useTime(from: number | null, part: TimePart): number {
   const value = useCallback(
-    () => (startedAt === null ? 0 : part.of(Math.max(0, Date.now() - startedAt))),
-    [startedAt, part],
+    () => (from === null ? 0 : part.of(Math.max(0, Date.now() - from))),
+    [from, part],
   );
   const follow = useCallback(
     (notify: () => void) => {
-      if (startedAt === null) return () => undefined;
+      if (from === null) return () => undefined;
       let cancel: () => void;
       const wait = (): void => {
-        cancel = atFullSecond(startedAt + part.end(value()), () => {
+        cancel = atFullSecond(from + part.end(value()), () => {
           notify();
           wait();
         });
@@ -94,7 +94,7 @@ function useTime(startedAt: number | null, part: TimePart): number {
       wait();
       return () => cancel();
     },
-    [startedAt, part, value],
+    [from, part, value],
   );
   return useSyncExternalStore(follow, value);
 }
