@@ -14,8 +14,8 @@ import { measureTileMemory } from "./tile-memory.ts";
 
 const TYPICAL = 40;
 const LARGEST = 200;
-const ROUNDS = 3;
-const TRACE_MS = 10_000;
+const ROUNDS = 7;
+const TRACE_MS = 5_000;
 /** Delay before a trace, so that opening the page is not measured, nor the end of its garbage. */
 const STABILISE_MS = 3_000;
 /** Factor by which Chromium slows down the processor. */
