@@ -13,14 +13,14 @@ const TWO_DIGITS_MS = 10 * MINUTE_MS;
 /** A strip is set to the clock of the device if it is this far from it: the device has slept. */
 const DRIFT_MS = 250;
 
+/** Lines of strips: minutes with one digit; minutes with two, and seconds. */
 const ten = Array.from({ length: 10 }, (_, n) => String(n));
 const sixty = Array.from({ length: 60 }, (_, n) => String(n).padStart(2, "0"));
 
 /**
- * While the time runs, animations move strips of numbers: a text that changes every second on every
- * card would cost the page more than all its pictures, and one that changes every minute as much in
- * that second. All clocks change at full seconds of the device, so that forty clocks need one frame
- * a second.
+ * While the time runs, animations move strips of numbers: a new text on each card would cost the
+ * page more than all its pictures, for the seconds always, and for the minutes once a minute. All
+ * clocks change at full seconds of the device, so that forty clocks need one frame a second.
  */
 export function CardClock({ time }: { time: CardTime }) {
   const { minutes, seconds, startedAt } = time;
@@ -73,8 +73,8 @@ export function useMinutes({ minutes, startedAt }: CardTime): number {
 }
 
 /**
- * A part of the time since a full second; 0 without one. Renders again when the part changes, together
- * with all others that change at the same second: a class joins within seconds.
+ * A part of the time since a full second; 0 without one. Renders again when the part changes,
+ * together with all others that change at the same second: a class joins within seconds.
  */
 function useTime(from: number | null, part: TimePart): number {
   const value = useCallback(
