@@ -104,7 +104,10 @@ async function keepsTickMarkInPlace(corridor: CorridorPage): Promise<void> {
 }
 
 async function keepsLinesInPlace(corridor: CorridorPage): Promise<void> {
-  const { program } = corridor;
+  const { page, program } = corridor;
+  // All lines are in sight: a line that drives for long would be scrolled into view.
+  await page.setViewportSize({ ...smallWindow.viewport, height: 900 });
+  await expect.poll(() => visibleFraction(program.line(2))).toBe(1);
   await corridor.speed.selectOption("4×");
   await corridor.run.click();
   const seen = await program.region.evaluate(
@@ -140,6 +143,7 @@ async function keepsLinesInPlace(corridor: CorridorPage): Promise<void> {
   );
   expect(seen.positions, `while ${seen.drivers.join(", ")} drove`).toHaveLength(1);
   expect(seen.idleNotes).toEqual([]);
+  await page.setViewportSize(smallWindow.viewport);
 }
 
 async function showsBumpedLine(corridor: CorridorPage): Promise<void> {
