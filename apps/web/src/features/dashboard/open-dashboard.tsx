@@ -1,4 +1,4 @@
-/** Opens the dashboard: starts its worker, and follows the time. */
+/** Opens the dashboard and starts its worker. */
 import type { i18n } from "i18next";
 import type { ReactNode } from "react";
 import { ClassCalls } from "../../model/classroom/class-calls.ts";
@@ -16,8 +16,6 @@ import { observeTheme, shownProperties } from "../../stage/page/observe-theme.ts
 import { readPalette } from "../../stage/drawing/palette.ts";
 import { DashboardPage } from "./DashboardPage.tsx";
 
-const SECOND_MS = 1_000;
-
 interface DashboardParts {
   room: OwnClass;
   classes: OwnClasses;
@@ -33,7 +31,10 @@ export function openDashboard({ room, classes, reports, words, tools }: Dashboar
     { type: "module" },
   );
   const calls = new ClassCalls(room, (url, request) => fetch(url, request));
-  const later = (run: () => void, ms: number): void => void setTimeout(run, ms);
+  const later = (call: () => void, ms: number): (() => void) => {
+    const timer = setTimeout(call, ms);
+    return () => clearTimeout(timer);
+  };
   let verifier: Promise<SolutionVerifier> | null = null;
   const startVerifier = async (): Promise<SolutionVerifier> => {
     const [{ SolutionVerifier: Verifier }, { createWorkerPool }] = await Promise.all([
@@ -50,6 +51,7 @@ export function openDashboard({ room, classes, reports, words, tools }: Dashboar
   const dashboard = new Dashboard({
     send: (message, transfer = []) => worker.postMessage(message, transfer),
     now: () => Date.now(),
+    later,
     nameOf: ({ name }) => studentNameText(words.getFixedT(words.language, "names"), name),
     compareNames: (a, b) => a.localeCompare(b, words.language),
     readPrograms: (students) => {
@@ -87,7 +89,6 @@ export function openDashboard({ room, classes, reports, words, tools }: Dashboar
   calmDown();
   calm.addEventListener("change", calmDown);
   dashboard.send({ type: "open", room: { id: room.id, key: room.key } });
-  setInterval(() => dashboard.tick(), SECOND_MS);
   window.addEventListener("online", () => dashboard.send({ type: "again" }));
   return (
     <DashboardPage

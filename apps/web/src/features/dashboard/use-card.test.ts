@@ -13,6 +13,7 @@ function classAfter(ms: number, change: Partial<ClassTime> = {}, isSolved = fals
   const dashboard = new Dashboard({
     send: () => undefined,
     now: () => START + ms,
+    later: () => () => undefined,
     nameOf: () => "",
     compareNames: () => 0,
     readPrograms: () => undefined,

@@ -1,5 +1,5 @@
-import { describe, expect, it } from "vitest";
-import type { ToClassroom } from "../../simulator/protocol/classroom-messages.ts";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { ClassTime, ToClassroom } from "../../simulator/protocol/classroom-messages.ts";
 import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
 import { Dashboard } from "./dashboard.ts";
 import { seenStudent } from "./testing/seen-student.ts";
@@ -7,27 +7,35 @@ import { seenStudent } from "./testing/seen-student.ts";
 const START = 1_000_000;
 const claim = { code: "x", activeAt: 9_000, lines: 2, attempts: 1 };
 
+beforeEach(() => vi.useFakeTimers({ now: START }));
+afterEach(() => vi.useRealTimers());
+
 function newDashboard() {
-  let now = START;
   const sent: ToClassroom[] = [];
   const verified: number[] = [];
   const dashboard = new Dashboard({
     send: (message) => sent.push(message),
-    now: () => now,
+    now: () => Date.now(),
+    later: (call, ms) => {
+      const timer = setTimeout(call, ms);
+      return () => clearTimeout(timer);
+    },
     nameOf: ({ student }) => `Team ${student}`,
     compareNames: (a, b) => (a < b ? -1 : 1),
     readPrograms: () => undefined,
     verify: (_lesson, students) => verified.push(students.size),
   });
-  dashboard.receive({
-    type: "state",
-    state: {
-      settings: { code: "BCDFGH", locked: false, paceTo: null },
-      expected: 3,
-      createdAt: START,
-      time: { at: START, activeMs: 0, pauseEndsAt: null, ahead: 0 },
-    },
-  });
+  const receiveTime = (time: ClassTime): void =>
+    dashboard.receive({
+      type: "state",
+      state: {
+        settings: { code: "BCDFGH", locked: false, paceTo: null },
+        expected: 3,
+        createdAt: START,
+        time,
+      },
+    });
+  receiveTime({ at: START, activeMs: 0, pauseEndsAt: null, ahead: 0 });
   const students = (...changed: ReturnType<typeof seenStudent>[]): void =>
     dashboard.receive({ type: "students", changed, removed: [] });
   return {
@@ -35,11 +43,9 @@ function newDashboard() {
     sent,
     verified,
     students,
+    receiveTime,
     state: () => dashboard.store.getState(),
-    pass: (ms: number): void => {
-      now += ms;
-      dashboard.tick();
-    },
+    pass: (ms: number): void => void vi.advanceTimersByTime(ms),
   };
 }
 
@@ -54,20 +60,43 @@ describe("the dashboard", () => {
     expect(state().shown.get(2)).toMatchObject({ standing: "help", since: 0 });
   });
 
-  it("updates each second while it counts seconds without a student, and otherwise when something changes", () => {
+  it("puts a student who asks for help first, 5 s after the last change of the order", () => {
     const { students, state, pass } = newDashboard();
+    students(seenStudent(1), seenStudent(2), seenStudent(3));
+    students(seenStudent(2, { helpSince: START }));
+    pass(5_100);
+    students(seenStudent(3, { helpSince: START - 1_000 }));
+    pass(4_899);
+    expect(state().order.order).toEqual([2, 1, 3]);
+    pass(1);
+    expect(state().order.order).toEqual([3, 2, 1]);
+  });
+
+  const paused = { at: START, activeMs: 0, pauseEndsAt: START + 60_000, ahead: 0 };
+  it.each<[name: string, begin: (test: ReturnType<typeof newDashboard>) => void]>([
+    ["a student is away", ({ students }) => students(seenStudent(1, { isConnected: false }))],
+    [
+      "the connection is lost",
+      ({ dashboard }) => dashboard.receive({ type: "status", status: { kind: "lost" } }),
+    ],
+    ["the class is paused", ({ receiveTime }) => receiveTime(paused)],
+    ["a student is watched", ({ dashboard }) => dashboard.countSeconds(true)],
+  ])("updates at each full second while %s, and otherwise when something changes", (_, begin) => {
+    const test = newDashboard();
+    const { students, state, pass } = test;
     students(seenStudent(1));
-    const updates = (seconds: number): number => {
+    const updates = (seconds: number): number[] => {
       const times = new Set<number>();
       for (let second = 0; second < seconds; second++) {
         pass(1_000);
         times.add(state().now);
       }
-      return times.size;
+      return [...times].map((at) => at - START);
     };
-    expect(updates(30)).toBe(1);
-    students(seenStudent(1, { isConnected: false }));
-    expect(updates(5)).toBe(5);
+    expect(updates(30)).toHaveLength(1);
+    pass(700);
+    begin(test);
+    expect(updates(4)).toEqual([31_000, 32_000, 33_000, 34_000]);
   });
 
   it("moves no card while the pointer or the focus is on one", () => {

@@ -62,6 +62,8 @@ export interface DashboardPorts {
   send: (message: ToClassroom, transfer?: Transferable[]) => void;
   /** ms since 1970 */
   now: () => number;
+  /** @returns a function that cancels the call */
+  later: (call: () => void, ms: number) => () => void;
   /** the name of a student, in the language of the page */
   nameOf: (student: SeenStudent) => string;
   compareNames: (a: string, b: string) => number;
@@ -71,6 +73,7 @@ export interface DashboardPorts {
   verify: (lesson: LessonDocument, students: DashboardState["students"]) => void;
 }
 
+const SECOND_MS = 1_000;
 const nothing: ReadonlyMap<number, never> = new Map<number, never>();
 
 export class Dashboard {
@@ -79,8 +82,7 @@ export class Dashboard {
   /** why the cards stay where they are */
   readonly #held = new Set<"pointer" | "focus">();
   #isCounting = false;
-  /** when it last looked what each student needs */
-  #lookedAt = 0;
+  #cancelLook: (() => void) | null = null;
 
   constructor(ports: DashboardPorts) {
     this.#ports = ports;
@@ -117,10 +119,12 @@ export class Dashboard {
         const isLost = status.kind === "lost" || status.kind === "connecting";
         const { lostAt, classroom } = this.store.getState();
         const lost = isLost && classroom !== null ? (lostAt ?? now) : null;
-        return this.store.setState({ status, lostAt: lost });
+        this.store.setState({ status, lostAt: lost });
+        return this.#lookLater();
       }
       case "state":
-        return this.store.setState({ classroom: message.state, now });
+        this.store.setState({ classroom: message.state, now });
+        return this.#lookLater();
       case "lesson":
         this.store.setState({ lesson: message.lesson, lessonVersion: message.version });
         return this.#verify();
@@ -184,13 +188,20 @@ export class Dashboard {
   }
 
   /**
-   * Follows the time. Call it once a second: while the page counts no seconds, it looks as often as
-   * the order may change.
+   * Looks again when the order may change, or at the next full second if seconds are counted. An
+   * interval of a second would cost a class at rest a fifth of what its page may need.
    */
-  tick(): void {
-    const isDue = this.#ports.now() - this.#lookedAt >= ORDER_MS;
+  #lookLater(): void {
     const state = this.store.getState();
-    if (isDue || this.#countsSeconds(state)) this.#update(state.students);
+    const now = this.#ports.now();
+    const untilOrder = state.order.changedAt + ORDER_MS - now;
+    const untilSecond = SECOND_MS - (now % SECOND_MS);
+    const orderMs = untilOrder > 0 ? untilOrder : ORDER_MS;
+    this.#cancelLook?.();
+    this.#cancelLook = this.#ports.later(
+      () => this.#update(this.store.getState().students),
+      this.#countsSeconds(state) ? untilSecond : orderMs,
+    );
   }
 
   #countsSeconds({ now, classroom, lostAt, awaySince }: DashboardState): boolean {
@@ -200,7 +211,6 @@ export class Dashboard {
 
   #update(students: DashboardState["students"]): void {
     const now = this.#ports.now();
-    this.#lookedAt = now;
     const before = this.store.getState();
     const { classroom, verifications } = before;
     const active = classroom === null ? 0 : activeMsAt(classroom.time, now);
@@ -232,6 +242,7 @@ export class Dashboard {
       minuteOf(next) === minuteOf(before);
     // One update of the store, and none if only seconds have passed: every card looks at each.
     if (!isSame || this.#countsSeconds(before)) this.store.setState(next);
+    this.#lookLater();
   }
 
   #wanted(state: DashboardState): { order: number[]; helped: Set<number> } {
