@@ -74,6 +74,7 @@ export {
 export { studentNumberSchema } from "./class-quantities.ts";
 export { MAX_TILE_LENGTH, tileSchema, type Tile } from "./class-tile.ts";
 export { MAX_RACERS } from "./max-racers.ts";
+export { REPORT_RATE, TILE_INTERVAL_MS, WATCHED_TILE_INTERVAL_MS } from "./student-rates.ts";
 export {
   screenContentSchema,
   type Racer,

@@ -3,7 +3,13 @@
  * excess requests with an error, or closes their connection. Limits of sizes are in the schemas of
  * `@corridor/protocol`, and those of requests in `relay.ts`.
  */
-import { LONG_POLL_SECONDS, SILENCE_MS } from "@corridor/protocol";
+import {
+  LONG_POLL_SECONDS,
+  REPORT_RATE,
+  SILENCE_MS,
+  TILE_INTERVAL_MS,
+  WATCHED_TILE_INTERVAL_MS,
+} from "@corridor/protocol";
 
 export const limits = {
   /** accepted, waiting commands of one robot; a script that far ahead of its robot is a mistake */
@@ -71,10 +77,10 @@ export const limits = {
   teacherConnections: 4,
   /** messages of one student; tiles are more frequent while a dashboard watches the student */
   studentRates: {
-    tile: { perSecond: 2, burst: 10 },
-    "watched tile": { perSecond: 5, burst: 10 },
-    progress: { perSecond: 0.5, burst: 10 },
-    program: { perSecond: 0.5, burst: 10 },
+    tile: { perSecond: 1_000 / TILE_INTERVAL_MS, burst: 10 },
+    "watched tile": { perSecond: 1_000 / WATCHED_TILE_INTERVAL_MS, burst: 10 },
+    progress: REPORT_RATE,
+    program: REPORT_RATE,
     help: { perSecond: 1, burst: 5 },
     name: { perSecond: 1, burst: 5 },
   },
@@ -85,8 +91,8 @@ export const limits = {
     display: { perSecond: 2, burst: 4 },
   },
   /** interval of tiles to a dashboard, also while it watches a student; and of displays */
-  tilesIntervalMs: 500,
-  watchedTilesIntervalMs: 200,
+  tilesIntervalMs: TILE_INTERVAL_MS,
+  watchedTilesIntervalMs: WATCHED_TILE_INTERVAL_MS,
   displayIntervalMs: 500,
   /** unacknowledged batches of tiles to a dashboard, and displays to a big screen */
   classCredit: 2,

@@ -1,7 +1,9 @@
-/** How often a page may send reports: a little less than the relay accepts, 1 in 2 s, burst 10. */
-const INTERVAL_MS = 2_100;
+import { REPORT_RATE } from "@corridor/protocol";
+
+/** How often a page may send reports: a little less than the relay accepts. */
+const INTERVAL_MS = 1_050 / REPORT_RATE.perSecond;
 /** A reload starts again, and must not exceed the limit together with the page before it. */
-const BURST = 5;
+const BURST = REPORT_RATE.burst / 2;
 
 export class ReportPace {
   #allowed = BURST;

@@ -4,7 +4,7 @@
  * beyond its newest tile. A robot that did not drive from one tile to the next (a reset, another
  * maze) jumps. Pure; the time is given.
  */
-import type { Pose, Tile } from "@corridor/protocol";
+import { TILE_INTERVAL_MS, type Pose, type Tile } from "@corridor/protocol";
 import { blendHeading } from "../protocol/blend-heading.ts";
 import { pathCells, type CellPoint } from "../protocol/tile-path.ts";
 import {
@@ -17,8 +17,7 @@ import {
   type Point,
 } from "../protocol/tile-trail.ts";
 
-/** Interval between two tiles of a relay that is not busy, and its bounds, in ms. */
-const USUAL_GAP_MS = 500;
+/** Bounds of the interval between two tiles, in ms. */
 const LEAST_GAP_MS = 100;
 const MOST_GAP_MS = 700;
 /** A tile may be this late without a stop of the robot, in ms. */
@@ -51,7 +50,7 @@ interface Step {
 export class TileMotion {
   /** the displayed tile, then its successors */
   #steps: Step[] = [];
-  #gapMs = USUAL_GAP_MS;
+  #gapMs = TILE_INTERVAL_MS;
   #shownAt = Number.NEGATIVE_INFINITY;
 
   /** @param at monotonic ms */

@@ -2,15 +2,11 @@
  * The tiles of a student in a class: what the robot and the student do now, and where the robot
  * drove. Sent on change, and rarely.
  */
-import type { Tile } from "@corridor/protocol";
+import { TILE_INTERVAL_MS, WATCHED_TILE_INTERVAL_MS, type Tile } from "@corridor/protocol";
 import type { PositionLog, Run } from "@corridor/recording";
 import type { ClassPlace } from "../protocol/class-messages.ts";
 import { cellPath } from "./cell-path.ts";
 
-/** Least time between two tiles, in ms. */
-const INTERVAL_MS = 500;
-/** The same while a teacher watches the student. */
-const WATCHED_INTERVAL_MS = 200;
 /** Newest corners of the trail that a path can contain. */
 const MAX_CORNERS = 400;
 /** Positions and headings are sent in tenths. */
@@ -73,7 +69,7 @@ export class TileFeed {
   take(isWatched: boolean): Tile | null {
     if (!this.#hasChanged || this.#task === null) return null;
     const now = this.#ports.now();
-    const interval = isWatched ? WATCHED_INTERVAL_MS : INTERVAL_MS;
+    const interval = isWatched ? WATCHED_TILE_INTERVAL_MS : TILE_INTERVAL_MS;
     // A clock that was set back must not stop the tiles.
     if (now >= this.#sentAt && now < this.#sentAt + interval) return null;
     this.#hasChanged = false;
