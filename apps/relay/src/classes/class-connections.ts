@@ -2,15 +2,14 @@
  * The connections of a class at this relay: students, dashboards and big screens, and how they
  * reach those of other relays. Tiles and what big screens show are held in memory only.
  */
-import {
-  PROTOCOL_VERSION,
-  type ClassRole,
-  type RelayToScreen,
-  type RelayToStudent,
-  type RelayToTeacher,
-  type StudentTile,
-  type StudentToRelay,
-  type Tile,
+import type {
+  ClassRole,
+  RelayToScreen,
+  RelayToStudent,
+  RelayToTeacher,
+  StudentTile,
+  StudentToRelay,
+  Tile,
 } from "@corridor/protocol";
 import type { ClassMessage, ClassPresence } from "../bus/class-message.ts";
 import type { ClassRecord } from "../bus/class-record.ts";
@@ -20,10 +19,11 @@ import { MessageRates } from "../platform/limits/message-rates.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import { BigScreens, type ScreenController, type ScreenMember } from "./big-screens.ts";
 import { ClassEvents } from "./class-events.ts";
-import { nameOf, settingsOf, type ClassState } from "./class-state.ts";
+import type { ClassState } from "./class-state.ts";
 import { CreditedFeed } from "./credited-feed.ts";
 import type { MemberConnection } from "./member-connection.ts";
 import { OtherRelays } from "./other-relays.ts";
+import { changesFor, welcomeOf } from "./student-messages.ts";
 import { requireCaller, type StudentCaller } from "./student-steps.ts";
 import { requireStudent } from "./teacher-steps.ts";
 
@@ -123,21 +123,7 @@ export class ClassConnections {
     this.#students.set(number, { key, connection, watched, connectedAt: this.#clock.now() });
     const rates = this.#rates.get(number) ?? new MessageRates(limits.studentRates, this.#clock);
     this.#rates.set(number, rates);
-    const { row: classRow } = this.#state();
-    const settings = settingsOf(classRow, this.#clock.now());
-    connection.send({
-      type: "welcome",
-      version: PROTOCOL_VERSION,
-      student: number,
-      name: nameOf(classRow, row),
-      renamesLeft: row.renamesLeft,
-      progress: row.progress,
-      helpWanted: row.helpSince !== null,
-      watched,
-      pauseEndsInMs: settings.pauseEndsInMs,
-      paceTo: settings.paceTo,
-      lesson: settings.lesson,
-    });
+    connection.send(welcomeOf(this.#state(), row, { watched, now: this.#clock.now() }));
     this.#showTile(number);
     this.#others.announce();
     return {
@@ -239,11 +225,15 @@ export class ClassConnections {
       for (const { connection } of this.#dashboards) connection.send(message);
     }
     this.#deleteRemoved(before);
+    const now = this.#clock.now();
     for (const [number, { key, connection }] of this.#students) {
       const row = this.#state().students.get(number);
       if (row === undefined) connection.close("removed");
       else if (row.key !== key) connection.close("replaced");
-      else this.#notifyStudent(connection, number, before);
+      else {
+        const messages = changesFor(row, this.#state(), before, now);
+        for (const message of messages) connection.send(message);
+      }
     }
     this.#screens.changed(before.row, this.#state().row);
   }
@@ -329,23 +319,6 @@ export class ClassConnections {
       dashboards: this.#dashboards.size,
       screens: this.#screens.size,
     };
-  }
-
-  #notifyStudent(connection: StudentConnection, number: number, before: ClassState): void {
-    const { row, students } = this.#state();
-    const [student, earlier] = [students.get(number), before.students.get(number)];
-    const settings = settingsOf(row, this.#clock.now());
-    if (student !== undefined && student.name !== earlier?.name) {
-      const { renamesLeft } = student;
-      connection.send({ type: "name", name: nameOf(row, student), renamesLeft });
-    }
-    if (row.lessonVersion !== before.row.lessonVersion) {
-      connection.send({ type: "lesson", version: row.lessonVersion });
-    }
-    if (row.pause?.endsAt !== before.row.pause?.endsAt) {
-      connection.send({ type: "pause", endsInMs: settings.pauseEndsInMs });
-    }
-    if (row.paceTo !== before.row.paceTo) connection.send({ type: "pace", to: row.paceTo });
   }
 
   #deleteRemoved(before: ClassState): void {
