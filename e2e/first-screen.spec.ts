@@ -14,6 +14,9 @@ const KIB = 1024;
 const SCRIPT_BUDGET = 156.5 * KIB;
 const WHOLE_BUDGET = 226.4 * KIB;
 
+/** simulated time after which a run loads more, in s */
+const LATE_SECONDS = 2;
+
 interface Loaded {
   path: string;
   isScript: boolean;
@@ -21,16 +24,25 @@ interface Loaded {
   bytes: number;
 }
 
+/** The files, and the simulated time in s that the page displayed as it recorded them. */
+interface Recorded {
+  files: string[];
+  time: number;
+}
+
 /** Opens the page as a first-time visitor, presses Run, and waits for the first tick. */
-async function firstScreen(page: Page, relay: string): Promise<Loaded[]> {
+async function recordFirstScreen(corridor: CorridorPage): Promise<Recorded> {
+  const { page } = corridor;
   await recordFilesUntilFirstTick(page);
-  const corridor = new CorridorPage(page);
   await page.goto("/");
   await corridor.run.click();
-  const files = await page.waitForFunction(() => Reflect.get(window, "firstFiles") as unknown);
-  const addresses = [...new Set((await files.jsonValue()) as string[])].filter((address) =>
-    address.startsWith(relay),
-  );
+  const recorded = await page.waitForFunction(() => Reflect.get(window, "recorded") as unknown);
+  return (await recorded.jsonValue()) as Recorded;
+}
+
+/** Loads the files of Corridor again, for their sizes. */
+async function weigh(files: readonly string[], relay: string): Promise<Loaded[]> {
+  const addresses = [...new Set(files)].filter((address) => address.startsWith(relay));
   return Promise.all(
     addresses.map(async (address) => {
       const response = await fetch(address, { headers: { "Accept-Encoding": "br" } });
@@ -46,7 +58,7 @@ async function firstScreen(page: Page, relay: string): Promise<Loaded[]> {
 }
 
 /**
- * Stores in `firstFiles` the files loaded before the first tick, which marks the lines as started.
+ * Stores in `recorded` the files loaded before the first tick, which marks the lines as started.
  * Background loads after that tick are not part of the first screen.
  */
 async function recordFilesUntilFirstTick(page: Page): Promise<void> {
@@ -55,7 +67,8 @@ async function recordFilesUntilFirstTick(page: Page): Promise<void> {
       if (document.querySelector("[data-begun]") === null) return;
       observer.disconnect();
       const files = performance.getEntriesByType("resource").map(({ name }) => name);
-      Reflect.set(window, "firstFiles", [location.href, ...files]);
+      const [, seconds] = /0:(\d\d\.\d)/.exec(document.body.textContent) ?? [];
+      Reflect.set(window, "recorded", { files: [location.href, ...files], time: Number(seconds) });
     });
     observer.observe(document, { subtree: true, childList: true, attributeFilter: ["data-begun"] });
   });
@@ -71,8 +84,14 @@ function sumOf(files: readonly Loaded[]): number {
   return files.reduce((sum, { bytes }) => sum + bytes, 0);
 }
 
-test("loads a first visit within the budget, and drives", async ({ page, relay }) => {
-  const files = await firstScreen(page, relay);
+test("loads a first visit within the budget, and drives", async ({ openWindow, relay }) => {
+  let recorded: Recorded = { files: [], time: Number.NaN };
+  await expect(async () => {
+    recorded = await recordFirstScreen(await openWindow());
+    // A page that is too busy to show the first tick already loads what the goal needs.
+    expect(recorded.time).toBeLessThan(LATE_SECONDS);
+  }).toPass();
+  const files = await weigh(recorded.files, relay);
   const scripts = files.filter(({ isScript }) => isScript);
   const report = `scripts ${(sumOf(scripts) / KIB).toFixed(1)} KiB, everything ${(sumOf(files) / KIB).toFixed(1)} KiB\n${table(files)}`;
   test.info().annotations.push({ type: "first screen", description: report });

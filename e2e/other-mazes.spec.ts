@@ -29,6 +29,11 @@ function sentenceOf(dialog: Locator): Locator {
   return dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first();
 }
 
+/** Waits for a message, and keeps it: it does not disappear while the pointer is on it. */
+async function keepMessage(corridor: CorridorPage, text: string): Promise<void> {
+  await corridor.message(text).hover();
+}
+
 async function backToMyMaze(corridor: CorridorPage): Promise<void> {
   await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
@@ -60,9 +65,9 @@ async function opensTheBumpAndReturns(corridor: CorridorPage): Promise<void> {
   const bumpAt = Number(minutes) * 60 + Number(seconds);
   await first.click();
 
+  await keepMessage(corridor, `Your program bumps in “Tree 11, seed ${seed}”.`);
   await expect(dialog).toBeHidden();
   await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 11, seed ${seed}, Maze menu`);
-  await expect(corridor.message(`Your program bumps in “Tree 11, seed ${seed}”.`)).toBeVisible();
   const displayed = /^Time (\d+):([\d.]+)$/.exec((await corridor.clock.textContent()) ?? "");
   const displayedAt = Number(displayed?.[1]) * 60 + Number(displayed?.[2]);
   expect(displayedAt).toBeGreaterThanOrEqual(bumpAt - 2.1);
@@ -83,7 +88,7 @@ async function reportsTheTimeLimit(corridor: CorridorPage): Promise<void> {
   await expect(dialog.getByText("Bumps: 0. Time limit reached: 100.")).toBeVisible();
   await expect(dialog.getByText(/wrong|false|failed/i)).toHaveCount(0);
   await dialog.getByRole("button", { name: "Show a failure" }).click();
-  await expect(corridor.message("Time limit reached in “Tree 11, seed 1”.")).toBeVisible();
+  await keepMessage(corridor, "Time limit reached in “Tree 11, seed 1”.");
   await expect(corridor.clock).toHaveText("Time 5:00.0");
   await backToMyMaze(corridor);
 }

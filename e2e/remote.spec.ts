@@ -18,6 +18,16 @@ test.use(smallWindow);
 const tree = generateTree({ columns: 7, rows: 7, seed: 3, name: "Tree" });
 const openCells = countOpenCells(tree);
 
+/** A command at 0.25× lasts for more than a minute there. */
+const hall: typeof tree = {
+  format: "corridor/maze",
+  version: 1,
+  name: "Hall",
+  blocks: ["#".repeat(24), `#${".".repeat(22)}#`, "#".repeat(24)],
+  start: { column: 1, row: 1, heading: "east" },
+  goals: [{ column: 22, row: 1 }],
+};
+
 function linkTo(maze: typeof tree): string {
   const link = encodeLink({ maze });
   if (!link.ok) throw new Error(link.code);
@@ -45,10 +55,10 @@ function distance(from: { x: number; y: number }, to: { x: number; y: number }):
   return Math.hypot(to.x - from.x, to.y - from.y);
 }
 
-/** Puts the robot back to its start. */
-async function reset(page: Page, address: string): Promise<void> {
+/** Puts the robot back to its start, that of the first maze unless another one is given. */
+async function reset(page: Page, address: string, start = { x: 50, y: 650 }): Promise<void> {
   await page.getByRole("button", { name: "Reset", exact: true }).click();
-  await expect.poll(() => poseOf(address)).toMatchObject({ x: 50, y: 650 });
+  await expect.poll(() => poseOf(address)).toMatchObject(start);
 }
 
 /** The status of the connection, announced to screen readers. */
@@ -268,7 +278,7 @@ test("lists commands with their states: completed, collided, expired, cancelled"
 test("keeps the address, blocked scripts and a pause of all scripts across a reload", async ({
   page,
 }) => {
-  await page.goto("/");
+  await page.goto(linkTo(hall));
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
   const as = (name: string, path: string, body?: unknown) => api(address, path, body, name);
@@ -276,7 +286,7 @@ test("keeps the address, blocked scripts and a pause of all scripts across a rel
   const anna = scripts.getByRole("listitem").filter({ hasText: "Anna" });
 
   await test.step("lists scripts by name, and blocks one while the others continue", async () => {
-    await as("Anna", "/commands", { action: "move", distance: 200 });
+    await as("Anna", "/commands", { action: "move", distance: 1800 });
     await as("Ben", "/commands?after=0");
     await openMoreSection(page);
     await expect(scripts.getByRole("listitem")).toHaveText([
@@ -288,8 +298,8 @@ test("keeps the address, blocked scripts and a pause of all scripts across a rel
     await expect(ben).toContainText(/Problem at .*: Invalid command\. distance: found 30000/);
     await anna.getByRole("button", { name: "Block", exact: true }).click();
     await expect(anna).toContainText("blocked");
-    await expect(commandRow(page, /move 200/)).toContainText("cancelled");
-    await expect(commandRow(page, /move 200/)).toContainText("The script was blocked.");
+    await expect(commandRow(page, /move 1800/)).toContainText("cancelled");
+    await expect(commandRow(page, /move 1800/)).toContainText("The script was blocked.");
     const refused = await as("Anna", "/commands", { action: "left 90" });
     expect([refused.status, (await refused.json()).detail]).toEqual([
       403,
@@ -301,7 +311,7 @@ test("keeps the address, blocked scripts and a pause of all scripts across a rel
   });
 
   await test.step("the reload ends a running command as cancelled, and the script stays blocked", async () => {
-    await reset(page, address);
+    await reset(page, address, { x: 150, y: 150 });
     const start = await poseOf(address);
     const seq = await send(address, { action: "move", distance: 150 }, "Ben");
     await expect(commandRow(page, /move 150/)).toContainText("running");
@@ -322,8 +332,8 @@ test("keeps the address, blocked scripts and a pause of all scripts across a rel
 
   await test.step("scripts stay paused until they are resumed", async () => {
     await setSpeed(page, "0.25");
-    await send(address, { action: "move", distance: 200 });
-    const row = commandRow(page, /move 200/).first();
+    await send(address, { action: "move", distance: 1800 });
+    const row = commandRow(page, /move 1800/).first();
     await expect(row).toContainText("running");
     await scripts.getByRole("button", { name: "Pause scripts" }).click();
     await expect(scripts.getByRole("status").first()).toContainText("Paused");

@@ -55,9 +55,10 @@ test("enters and leaves full screen", async ({ corridor }) => {
 
 test("draws the path of a delayed turn ahead of the robot", async ({ corridor }) => {
   const picture = new StageScreenshot(corridor.page);
+  // A slow machine must see the first turn before the robot has passed it.
+  await corridor.speed.selectOption("0.25×");
   await corridor.run.click();
   await expect(corridor.robotPose).toHaveText(/facing up/);
-  await corridor.speed.selectOption("0.25×");
   const running = corridor.page.locator("li[aria-current=step]");
   await expect(running).toContainText(/turns in \d+ cm/);
   await corridor.pause.click();
