@@ -53,10 +53,10 @@ interface Lines {
 }
 
 /**
- * Looks at the lines once, or in each frame until several have driven one after the other: on a slow
- * machine, the run may end before a test has asked twice.
+ * Records the lines once, or in each frame until several have driven one after the other. The page
+ * records them, because a run can end between two questions of a slow test.
  */
-async function linesOn(page: Page, until: "now" | "several have driven"): Promise<Lines[]> {
+async function recordLines(page: Page, until: "now" | "several have driven"): Promise<Lines[]> {
   return page.evaluate((end) => {
     const boxOf = (element: Element) => element.getBoundingClientRect();
     const isVisible = (line: Element): boolean =>
@@ -94,7 +94,7 @@ async function linesOn(page: Page, until: "now" | "several have driven"): Promis
 }
 
 async function lookAtLines(page: Page): Promise<Lines> {
-  const [lines] = await linesOn(page, "now");
+  const [lines] = await recordLines(page, "now");
   if (lines === undefined) throw new Error("No frame was recorded.");
   return lines;
 }
@@ -127,7 +127,7 @@ async function showsRunningLines(page: Page, screen: Screen, lang: string): Prom
   expect(before.visible).toBe(count);
   await button("shell.run.run").click();
   // Several lines drive one after the other, each with its progress.
-  for (const { positions, visible } of await linesOn(page, "several have driven")) {
+  for (const { positions, visible } of await recordLines(page, "several have driven")) {
     expect(positions).toBe(before.positions);
     expect(visible).toBe(count);
   }

@@ -125,7 +125,7 @@ test("stops the robot, keeps the focus, cycles through dialogs and solves a miss
     await user.tabTo(corridor.program.line(2));
     await user.key("Delete");
     const dismiss = corridor.messages.getByRole("button", { name: "Dismiss" });
-    // It does not disappear under the pointer: a slow machine needs long for the way to it.
+    // The message disappears after 6 s, unless the pointer is on it. Tab may need longer.
     await dismiss.hover();
     await user.press(dismiss);
     await user.expectFocusVisible();

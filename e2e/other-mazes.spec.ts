@@ -29,8 +29,8 @@ function sentenceOf(dialog: Locator): Locator {
   return dialog.getByText(/^Works in \d+ of 100 mazes\.$/).first();
 }
 
-/** Waits for a message, and keeps it: it does not disappear while the pointer is on it. */
-async function keepMessage(corridor: CorridorPage, text: string): Promise<void> {
+/** Waits for a message, and puts the pointer on it, so that it does not disappear. */
+async function holdMessage(corridor: CorridorPage, text: string): Promise<void> {
   await corridor.message(text).hover();
 }
 
@@ -65,7 +65,7 @@ async function opensTheBumpAndReturns(corridor: CorridorPage): Promise<void> {
   const bumpAt = Number(minutes) * 60 + Number(seconds);
   await first.click();
 
-  await keepMessage(corridor, `Your program bumps in “Tree 11, seed ${seed}”.`);
+  await holdMessage(corridor, `Your program bumps in “Tree 11, seed ${seed}”.`);
   await expect(dialog).toBeHidden();
   await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 11, seed ${seed}, Maze menu`);
   const displayed = /^Time (\d+):([\d.]+)$/.exec((await corridor.clock.textContent()) ?? "");
@@ -88,7 +88,7 @@ async function reportsTheTimeLimit(corridor: CorridorPage): Promise<void> {
   await expect(dialog.getByText("Bumps: 0. Time limit reached: 100.")).toBeVisible();
   await expect(dialog.getByText(/wrong|false|failed/i)).toHaveCount(0);
   await dialog.getByRole("button", { name: "Show a failure" }).click();
-  await keepMessage(corridor, "Time limit reached in “Tree 11, seed 1”.");
+  await holdMessage(corridor, "Time limit reached in “Tree 11, seed 1”.");
   await expect(corridor.clock).toHaveText("Time 5:00.0");
   await backToMyMaze(corridor);
 }

@@ -37,14 +37,14 @@ async function countsWaitingSeparately(corridor: CorridorPage, address: string):
   await api(address, `/commands/${seq}?wait=20`);
   await expect(corridor.drivingTime).toHaveText(/^Time 0:00\.[1-9]/);
   // The page may still display the turn. It is over once time is counted as waiting.
-  await waitsOn(corridor);
+  await expectToWait(corridor);
   const driven = (await corridor.drivingTime.textContent()) ?? "";
-  await waitsOn(corridor);
+  await expectToWait(corridor);
   await expect(corridor.drivingTime).toHaveText(driven);
 }
 
 /** Expects the clock to count more time as waiting. */
-async function waitsOn({ waitingTime }: CorridorPage): Promise<void> {
+async function expectToWait({ waitingTime }: CorridorPage): Promise<void> {
   const waited = (await waitingTime.textContent()) ?? "";
   await expect(waitingTime).not.toHaveText(waited);
 }

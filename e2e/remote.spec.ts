@@ -18,7 +18,7 @@ test.use(smallWindow);
 const tree = generateTree({ columns: 7, rows: 7, seed: 3, name: "Tree" });
 const openCells = countOpenCells(tree);
 
-/** A command at 0.25× lasts for more than a minute there. */
+/** Long enough for a command that lasts for more than a minute at 0.25×. */
 const hall: typeof tree = {
   format: "corridor/maze",
   version: 1,

@@ -74,7 +74,10 @@ describe("the dashboard", () => {
 
   const paused = { at: START, activeMs: 0, pauseEndsAt: START + 60_000, ahead: 0 };
   it.each<[name: string, begin: (test: ReturnType<typeof newDashboard>) => void]>([
-    ["a student is away", ({ students }) => students(seenStudent(1, { isConnected: false }))],
+    [
+      "a student is disconnected",
+      ({ students }) => students(seenStudent(1, { isConnected: false })),
+    ],
     [
       "the connection is lost",
       ({ dashboard }) => dashboard.receive({ type: "status", status: { kind: "lost" } }),

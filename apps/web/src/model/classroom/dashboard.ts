@@ -82,7 +82,7 @@ export class Dashboard {
   /** why the cards stay where they are */
   readonly #held = new Set<"pointer" | "focus">();
   #isCounting = false;
-  #cancelLook: (() => void) | null = null;
+  #cancelUpdate: (() => void) | null = null;
 
   constructor(ports: DashboardPorts) {
     this.#ports = ports;
@@ -120,11 +120,11 @@ export class Dashboard {
         const { lostAt, classroom } = this.store.getState();
         const lost = isLost && classroom !== null ? (lostAt ?? now) : null;
         this.store.setState({ status, lostAt: lost });
-        return this.#lookLater();
+        return this.#scheduleUpdate();
       }
       case "state":
         this.store.setState({ classroom: message.state, now });
-        return this.#lookLater();
+        return this.#scheduleUpdate();
       case "lesson":
         this.store.setState({ lesson: message.lesson, lessonVersion: message.version });
         return this.#verify();
@@ -188,17 +188,17 @@ export class Dashboard {
   }
 
   /**
-   * Looks again when the order may change, or at the next full second if seconds are counted. An
-   * interval of a second would cost a class at rest a fifth of what its page may need.
+   * Schedules an update for when the order may change, or for the next full second while the page
+   * displays seconds. An interval of a second takes a fifth of the main thread's limit.
    */
-  #lookLater(): void {
+  #scheduleUpdate(): void {
     const state = this.store.getState();
     const now = this.#ports.now();
     const untilOrder = state.order.changedAt + ORDER_MS - now;
     const untilSecond = SECOND_MS - (now % SECOND_MS);
     const orderMs = untilOrder > 0 ? untilOrder : ORDER_MS;
-    this.#cancelLook?.();
-    this.#cancelLook = this.#ports.later(
+    this.#cancelUpdate?.();
+    this.#cancelUpdate = this.#ports.later(
       () => this.#update(this.store.getState().students),
       this.#countsSeconds(state) ? untilSecond : orderMs,
     );
@@ -242,7 +242,7 @@ export class Dashboard {
       minuteOf(next) === minuteOf(before);
     // One update of the store, and none if only seconds have passed: every card looks at each.
     if (!isSame || this.#countsSeconds(before)) this.store.setState(next);
-    this.#lookLater();
+    this.#scheduleUpdate();
   }
 
   #wanted(state: DashboardState): { order: number[]; helped: Set<number> } {

@@ -11,7 +11,7 @@ describe("a run over a reload", () => {
     page.loop.run();
     await page.pass(4_000);
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     const { tick, pose, state } = reloaded.loop.snapshot();
     expect(state).toBe("paused");
     expect(page.loop.snapshot().tick - tick).toBeLessThanOrEqual(16);
@@ -29,7 +29,7 @@ describe("a run over a reload", () => {
     page.loop.hold("stop");
     await page.pass(300);
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     const { tick, pose, driver } = page.loop.snapshot();
     expect(reloaded.loop.snapshot()).toMatchObject({ tick, pose, driver });
     for (const each of [page, reloaded]) {
@@ -46,7 +46,7 @@ describe("a run over a reload", () => {
     page.of.journal = { robot: "AAAA", lastApplied: 7, endings: [], running: null };
     await page.worlds.save();
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
     expect(reloaded.of.restored).toEqual(page.of.journal);
   });
@@ -60,7 +60,7 @@ describe("a run over a reload", () => {
     page.of.journal = { robot: "AAAA", lastApplied: 8, endings: [], running };
     await page.worlds.save();
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     const { pose } = page.loop.snapshot();
     const distance = page.loop.recording.run.distance - 20;
     const reason = "The robot's page was reloaded and ended this command. Send a new command.";
@@ -88,7 +88,7 @@ describe("a run over a reload", () => {
     const tab = new MemoryStorage();
     tab.setItem("corridor.run", page.tab.getItem("corridor.run") ?? "");
     const double = openPage({ tab, store: page.store });
-    await double.keeper.resume();
+    await double.restorer.resume();
     expect(double.loop.snapshot().tick).toBeGreaterThan(0);
     // This page's later changes are not stored there.
     await page.worlds.save();
@@ -127,7 +127,7 @@ describe("a run over a reload", () => {
     begin(page.loop);
     await page.pass(300);
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(page.loop.snapshot().tick).toBeLessThan(30);
     expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(page.loop.snapshot().tick);
     expect(reloaded.lost).toEqual([]);
@@ -138,7 +138,7 @@ describe("a run over a reload", () => {
     { name: "of a project that was opened", maze: { ...firstMaze, name: "another" } },
   ])("starts at the start if a run $name was just reset", async ({ maze }) => {
     const page = openPage();
-    await page.keeper.resume();
+    await page.restorer.resume();
     page.loop.run();
     // The reset follows a write by less than the interval of writes.
     await page.pass(1_100);
@@ -146,70 +146,70 @@ describe("a run over a reload", () => {
     page.loop.editMaze(maze);
     page.loop.reset();
     await page.pass(8);
-    page.keeper.flush();
+    page.restorer.flush();
     const reloaded = openPage(page, maze);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBe(0);
     expect(reloaded.lost).toEqual([]);
   });
 
   it("is restored if the page was hidden at the start, drove on, and ended without a notice", async () => {
     const page = openPage();
-    await page.keeper.resume();
+    await page.restorer.resume();
     page.loop.run();
     await page.pass(1_000);
     page.loop.reset();
     await page.pass(300);
-    page.keeper.flush();
+    page.restorer.flush();
     page.loop.run();
     await page.pass(1_000);
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
   });
 
   it("is restored again if the page is left right after it was restored", async () => {
     const page = openPage();
-    await page.keeper.resume();
+    await page.restorer.resume();
     page.loop.run();
     await page.pass(1_000);
-    page.keeper.flush();
+    page.restorer.flush();
     const hasty = openPage(page);
-    await hasty.keeper.resume();
-    hasty.keeper.flush();
+    await hasty.restorer.resume();
+    hasty.restorer.flush();
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
   });
 
   it("has the latest edits if the page had time to store them", async () => {
     const page = openPage();
-    await page.keeper.resume();
+    await page.restorer.resume();
     page.loop.run();
     await page.pass(1_000);
     const program = { ...firstProgram, default: "stop" as const };
     page.workspace.setState({ program });
-    page.keeper.flush();
+    page.restorer.flush();
     const reloaded = openPage(page);
     reloaded.workspace.setState({ program });
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
     expect(reloaded.loop.recording.run.program).toEqual(program);
   });
 
   it("is not restored if another maze is open now, or the robot drives already", async () => {
     const page = openPage();
-    await page.keeper.resume();
+    await page.restorer.resume();
     page.loop.run();
     await page.pass(1_000);
-    page.keeper.flush();
+    page.restorer.flush();
     const other = openPage(page, { ...firstMaze, name: "another" });
-    await other.keeper.resume();
+    await other.restorer.resume();
     expect(other.loop.snapshot().tick).toBe(0);
     const eager = openPage(page);
     eager.loop.run();
     await eager.pass(100);
-    await eager.keeper.resume();
+    await eager.restorer.resume();
     expect(eager.loop.snapshot().tick).toBeLessThan(10);
     expect([...other.lost, ...eager.lost]).toEqual([]);
   });
@@ -220,7 +220,7 @@ describe("a run over a reload", () => {
     await page.pass(20_000);
     const reloaded = openPage(page);
     reloaded.beSlow();
-    const resumed = reloaded.keeper.resume();
+    const resumed = reloaded.restorer.resume();
     await settle();
     reloaded.slice();
     reloaded.loop.run();
@@ -239,20 +239,20 @@ describe("a run over a reload", () => {
     await page.pass(300);
     const hasty = openPage(page);
     hasty.beSlow();
-    void hasty.keeper.resume();
+    void hasty.restorer.resume();
     await settle();
     await hasty.pass(1_000);
-    hasty.keeper.flush();
+    hasty.restorer.flush();
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
   });
 
   it("leaves nothing behind while it stands at its start", async () => {
     const page = openPage();
-    await page.keeper.resume();
+    await page.restorer.resume();
     await page.pass(500);
-    page.keeper.flush();
+    page.restorer.flush();
     expect(page.tab.length).toBe(0);
     expect(page.store.worlds.size).toBe(0);
   });
@@ -272,7 +272,7 @@ describe("a run over a reload", () => {
     await page.pass(1_000);
     for (const world of page.store.worlds.values()) corrupt(world as never);
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.lost).toEqual(["lost"]);
     expect(reloaded.loop.snapshot().tick).toBe(0);
   });
@@ -289,7 +289,7 @@ describe("a device that cannot store a run", () => {
     expect(page.lost).toEqual(["not stored"]);
     // An older state of the world would contradict messages sent since.
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBe(0);
     page.loop.reset();
     page.loop.run();
@@ -307,7 +307,7 @@ describe("a device that cannot store a run", () => {
     page.loop.run();
     await page.pass(1_000);
     const reloaded = openPage(page);
-    await reloaded.keeper.resume();
+    await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
   });
 

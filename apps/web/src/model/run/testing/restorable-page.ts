@@ -90,7 +90,7 @@ export function openPage(
     postUpdate();
   };
   const workspace = createWorkspaceStore(maze, firstProgram);
-  const keeper = new RunRestorer({
+  const restorer = new RunRestorer({
     simulator: {
       send,
       isGone: false,
@@ -115,7 +115,7 @@ export function openPage(
   const beSlow = () => void (isSlow = true);
   const slice = () => slices.shift()?.();
   postUpdate();
-  return { loop, keeper, worlds, of, tab, store, workspace, pass, lost, beSlow, slice };
+  return { loop, restorer, worlds, of, tab, store, workspace, pass, lost, beSlow, slice };
 }
 
 /** Runs everything that depends on no timer. */
