@@ -372,14 +372,16 @@ test("moves the focus in visual order, solves a maze by keyboard alone and turns
     await dialog.getByRole("checkbox", { name: /^Single keys/ }).uncheck();
     await keyboard.press("Escape");
     await expect(dialog).toBeHidden();
+    const pose = (await corridor.robotPose.textContent()) ?? "";
     await corridor.reload();
-    const pose = await corridor.robotPose.textContent();
+    // The robot is displayed at its start until the run is restored.
+    await expect(corridor.robotPose).toHaveText(pose);
     await keyboard.press("?");
     await corridor.selectDriver("Me");
     await keyboard.press("w");
     await corridor.waitForRobotToStop();
     await expect(dialog).toBeHidden();
-    await expect(corridor.robotPose).toHaveText(pose ?? "");
+    await expect(corridor.robotPose).toHaveText(pose);
   });
 });
 
