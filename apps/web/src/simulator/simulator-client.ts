@@ -11,6 +11,7 @@ export class SimulatorClient {
   readonly #port: WorkerPort;
   readonly #listeners = new Set<(message: FromWorker) => void>();
   #isGone = false;
+  #isResetting = false;
 
   constructor(port: WorkerPort) {
     this.#port = port;
@@ -25,6 +26,11 @@ export class SimulatorClient {
     return this.#isGone;
   }
 
+  /** Whether frames and events are still of the run that a reset replaces. */
+  get isResetting(): boolean {
+    return this.#isResetting;
+  }
+
   /** The worker is gone; all listeners receive a fault. */
   fail(reason: string): void {
     this.#isGone = true;
@@ -33,6 +39,7 @@ export class SimulatorClient {
 
   /** @param transfer objects that are transferred instead of copied */
   send(message: ToWorker, transfer: Transferable[] = []): void {
+    if (message.type === "reset") this.#isResetting = true;
     this.#port.postMessage(message, transfer);
   }
 
@@ -51,6 +58,7 @@ export class SimulatorClient {
   }
 
   #receive(message: FromWorker): void {
+    if (message.type === "truncated" && message.after < 0) this.#isResetting = false;
     for (const listener of this.#listeners) listener(message);
   }
 }

@@ -33,7 +33,7 @@ export interface ClassWorkPorts {
     lessons: Pick<LessonsEntry, "load">;
     run: Pick<RunStore, "getState">;
     screen: ScreenStore;
-    simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
+    simulator: Pick<SimulatorClient, "send" | "listen" | "isGone" | "isResetting">;
     workspace: WorkspaceStore;
   };
   words: Pick<i18n, "t">;

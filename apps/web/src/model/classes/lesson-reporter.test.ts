@@ -6,6 +6,7 @@ import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import type { ClassPlace } from "../../simulator/protocol/class-messages.ts";
 import type { FromWorker, ToWorker } from "../../simulator/protocol/worker-messages.ts";
+import { SimulatorClient } from "../../simulator/simulator-client.ts";
 import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
 import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
 import { createRunStore } from "../run/run-store.ts";
@@ -32,26 +33,23 @@ const reverse: ProgramDocument = { ...forward, default: "reverse" };
 function newPage(tab = new VolatileStorage()) {
   const challenge = createChallengeStore();
   const workspace = createWorkspaceStore(maze, forward, (_, after) => after);
-  const listeners = new Set<(message: FromWorker) => void>();
   const timers = new Set<() => void>();
   const progress: Progress[] = [];
   const programs: { task: number; link: string }[] = [];
   const places: (ClassPlace | null)[] = [];
   const sent: ToWorker[] = [];
   let surveys = 0;
+  const simulator = new SimulatorClient({
+    postMessage: (message) => sent.push(message),
+    onmessage: null,
+  });
+  const receive = (message: FromWorker) => simulator.catchUp([message]);
   const lesson = new ClassLessonMark(mark);
   const reporter = new LessonReporter({
     challenge,
     workspace,
     run: createRunStore(),
-    simulator: {
-      isGone: false,
-      send: (message) => sent.push(message),
-      listen: (listener) => {
-        listeners.add(listener);
-        return () => listeners.delete(listener);
-      },
-    },
+    simulator,
     lesson,
     reported: new ReportedWork(tab),
     add: (event) => progress.push(event),
@@ -82,7 +80,7 @@ function newPage(tab = new VolatileStorage()) {
     bump: (tick: number) => {
       const pose = { x: 310, y: 150, heading: 90 };
       const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program", pose };
-      for (const listener of listeners) listener({ type: "event", event } as FromWorker);
+      receive({ type: "event", event } as FromWorker);
     },
     /** The robot has driven by hand. */
     drive: (tick: number) => {
@@ -91,8 +89,7 @@ function newPage(tab = new VolatileStorage()) {
         view: "now",
         nowDriver: "me",
       };
-      const message = { type: "frame", frame: { ...frame, nowTick: tick } } as FromWorker;
-      for (const listener of listeners) listener(message);
+      receive({ type: "frame", frame: { ...frame, nowTick: tick } } as FromWorker);
     },
     meet: () => {
       const figures = { ticks: 300, bumps: 0, lines: 0 };
@@ -107,12 +104,11 @@ function newPage(tab = new VolatileStorage()) {
     saveRun: (run: Pick<RunDocument, "program" | "inputs">) => {
       const request = sent.findLast(({ type }) => type === "save-run");
       const saved = { ok: true, text: JSON.stringify(run) };
-      const message = { ...request, type: "run-saved", saved } as FromWorker;
-      for (const listener of listeners) listener(message);
+      receive({ ...request, type: "run-saved", saved } as FromWorker);
     },
-    reset: () => {
-      for (const listener of listeners) listener({ type: "truncated", after: -1 });
-    },
+    /** The page asks for the robot at its start. */
+    requestReset: () => simulator.send({ type: "reset" }),
+    reset: () => receive({ type: "truncated", after: -1 }),
     wait: () => {
       for (const call of timers) call();
       timers.clear();
@@ -172,6 +168,33 @@ describe("the reports of a student's work", () => {
       bumpPlaces: [{ maze: "g1", column: 3, row: 1 }],
       failure: { code: "bump", line: "default" },
     });
+  });
+
+  it("contain no run of the task before in the next one, whose robot is not at its start yet", () => {
+    const { openTask, drive, bump, requestReset, reset, progress } = newPage();
+    openTask(0);
+    drive(30);
+    requestReset();
+    openTask(1);
+    const before = progress.length;
+    drive(60);
+    bump(70);
+    reset();
+    expect(progress.slice(before)).toEqual([]);
+    bump(20);
+    requestReset();
+    reset();
+    expect(progress.slice(before)).toMatchObject([{ kind: "run", task: 2, bumps: 1 }]);
+  });
+
+  it("contain a run that ends between a reset and its answer", () => {
+    const { openTask, drive, bump, requestReset, reset, progress } = newPage();
+    openTask(0);
+    drive(30);
+    requestReset();
+    bump(40);
+    reset();
+    expect(progress.at(-1)).toMatchObject({ kind: "run", task: 1, bumps: 1 });
   });
 
   it.each([

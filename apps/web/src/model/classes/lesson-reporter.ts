@@ -36,7 +36,7 @@ export interface LessonReporterPorts {
   challenge: ChallengeStore;
   workspace: WorkspaceStore;
   run: Pick<RunStore, "getState">;
-  simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
+  simulator: Pick<SimulatorClient, "send" | "listen" | "isGone" | "isResetting">;
   lesson: ClassLessonMark;
   reported: ReportedWork;
   add: (event: Progress) => void;
@@ -132,9 +132,12 @@ export class LessonReporter {
   }
 
   #open(state: ChallengeState): void {
-    const { lesson, reported, add } = this.#ports;
+    const { lesson, reported, add, simulator } = this.#ports;
     const index = lesson.openIndex(state);
-    if (index !== this.#index) this.#attempts.finish();
+    if (index !== this.#index) {
+      this.#attempts.finish();
+      if (simulator.isResetting) this.#attempts.awaitReset();
+    }
     this.#index = index;
     if (index === null || lesson.mark === null) return;
     reported.begin(lesson.mark);

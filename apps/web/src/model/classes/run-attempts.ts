@@ -51,6 +51,8 @@ export class RunAttempts {
    * has just restored
    */
   #isOpened = true;
+  /** the robot has not left the world of the task before */
+  #isBeforeReset = false;
   /** cancels the report of a run that has ended; null: it has not */
   #cancelEnd: (() => void) | null = null;
 
@@ -62,6 +64,8 @@ export class RunAttempts {
   }
 
   receive(message: FromWorker): void {
+    if (message.type === "truncated" && message.after < 0) this.#isBeforeReset = false;
+    if (this.#isBeforeReset) return;
     if (message.type === "frame") this.#frame(message.frame);
     else if (message.type === "truncated") this.#truncated(message.after);
     else if (message.type === "run-loaded" && message.loaded.ok) {
@@ -81,6 +85,7 @@ export class RunAttempts {
    * @param tick at which it failed
    */
   failed(failure: NonNullable<AttemptFailure>, mistakes: number, tick: number): void {
+    if (this.#isBeforeReset) return;
     // At full speed, a whole run fits between two frames.
     if (tick > this.#lastTick) this.#advance(tick, null, "program");
     const run = this.#run;
@@ -105,6 +110,11 @@ export class RunAttempts {
     const hasFailed = this.#run !== null && this.#run.failure !== null;
     if (hasFailed || this.#cancelEnd !== null) this.finish();
     this.#isEdited = true;
+  }
+
+  /** Another task opens. What still arrives of the run before belongs to no run of this task. */
+  awaitReset(): void {
+    this.#isBeforeReset = true;
   }
 
   /** Ends the run and reports it, if there is one. */
