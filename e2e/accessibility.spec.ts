@@ -50,6 +50,8 @@ test("has no axe violations in the program, with advice, at a bump, in the past,
     await page.getByRole("region", { name: "Solved!" }).waitFor();
     await expectNoAxeViolations(page, "solved card");
     await corridor.reset.click();
+    // The card has a Share button of its own.
+    await page.getByRole("region", { name: "Solved!" }).waitFor({ state: "hidden" });
   });
   await test.step("dialogs, menus and messages", async () => {
     await corridor.dismissMessages();

@@ -290,9 +290,11 @@ async function workOffline(
   await page.keyboard.press("Escape");
   await card.getByRole("button", { name: "Show a hint" }).click();
   await card.getByRole("button", { name: "Show hint 2 of 2" }).click();
+  const bump = page.getByRole("heading", { name: "Bump" });
   await corridor.reset.click();
+  await expect(bump).toBeHidden();
   await run.click();
-  await expect(page.getByRole("heading", { name: "Bump" })).toBeVisible();
+  await expect(bump).toBeVisible();
   await card
     .getByRole("navigation", { name: "Tasks of this lesson" })
     .getByRole("button", { name: /^2 / })

@@ -190,7 +190,7 @@ async function waitsForProject(corridor: CorridorPage): Promise<void> {
   await corridor.waitUntilReady();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await corridor.run.click();
-  await expect(corridor.pause).toBeVisible();
+  await expect(corridor.clock).not.toHaveText(/0:00\.0$/);
 }
 
 async function waitsForLink(corridor: CorridorPage): Promise<void> {

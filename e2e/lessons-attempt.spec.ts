@@ -117,6 +117,8 @@ async function driveInTwoMazes({ corridor, page, lessons }: OpenPage): Promise<v
     "aria-pressed",
     "true",
   );
+  // The readings of the other maze are displayed until then.
+  await expect(corridor.robotPose).toHaveText("Robot at 150, 150, facing right");
   await driveToWall(corridor, 35, 70);
   await expect(outcome).toHaveText(/^Task solved after/);
   await expect(card).toContainText("There is no code: this task has several mazes");

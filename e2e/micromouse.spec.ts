@@ -43,6 +43,7 @@ async function toggleMarks(page: Page): Promise<void> {
   await page.getByRole("button", { name: "View", exact: true }).click();
   await page.getByRole("checkbox", { name: "Marks of scripts" }).click();
   await page.keyboard.press("Escape");
+  await expect(page.getByRole("dialog", { name: "View" })).toBeHidden();
 }
 
 test("a micromouse program shows its map in the page, until it ends or the map is hidden", async ({

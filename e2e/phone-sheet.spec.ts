@@ -147,7 +147,7 @@ test("does not cover the flag of mission 3, and shows the verdict on a failed mi
     const size = { width: 14, height: 8 };
     const nearBeam = { x: 112, y: 132, ...size };
     const onTop = { x: 112, y: 110, ...size };
-    expect(await stage.differingPixels(nearBeam, onTop)).toBe(0);
+    await expect.poll(() => stage.differingPixels(nearBeam, onTop)).toBe(0);
     const block = { ...nearBeam, y: 30 };
     expect(await stage.differingPixels(block, onTop), "a block").toBeGreaterThan(0);
   });

@@ -93,6 +93,7 @@ test("scrubs back from a bump, runs from there with a fixed line, and drives on 
   await expect(corridor.run).toBeVisible();
   await test.step("continues by manual driving from the middle", async () => {
     await timeline.drag(0.1, 0.04);
+    await expect(corridor.clock).toHaveText(/^Time 0:01\./);
     await expect(corridor.bumps).toHaveText("0 bumps");
     await corridor.driveKey("left").hover();
     await page.mouse.down();

@@ -38,7 +38,8 @@ export function AddGhost({ race }: { race: RaceService }) {
     if (!read.ok) return t(`refused.${read.refusal}`);
     const refusal = await race.add(read.run);
     if (refusal !== null) return race.refusalText(refusal, read.run);
-    setLink("");
+    // The next link may have been pasted meanwhile.
+    setLink((now) => (now === link ? "" : now));
     return null;
   }
 

@@ -88,7 +88,8 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
     const documents = shared === null ? { maze } : { lesson: shared };
     return encodeLink(hasProgram ? { ...documents, program } : documents);
   }, [run, shared, maze, hasProgram, program]);
-  const content = withRun ? "run" : contentOf(shared);
+  // Until the simulator has saved the run, the link has the documents.
+  const content = withRun && saved !== null ? "run" : contentOf(shared);
   useLayoutEffect(() => onContent(content), [content, onContent]);
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
