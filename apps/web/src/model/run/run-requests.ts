@@ -38,7 +38,7 @@ export function loadRun(
 /** Restores this tab's run from before a reload: see `RestoreRun`. */
 export function restoreRun(
   simulator: Simulator,
-  which: Pick<RestoreRun, "key" | "isSameProject" | "wasAtStart">,
+  which: Pick<RestoreRun, "key" | "isSameProject" | "atStartSince">,
 ): RunLoad {
   return request(simulator, (id) => ({ type: "restore-run", id, ...which }));
 }

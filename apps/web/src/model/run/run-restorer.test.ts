@@ -168,6 +168,22 @@ describe("a run over a reload", () => {
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
   });
 
+  it("is restored if the page was too busy to display that the robot had left its start", async () => {
+    const page = openPage();
+    await page.restorer.resume();
+    page.loop.run();
+    await page.pass(1_000);
+    page.loop.reset();
+    await page.pass(300);
+    page.beBusy();
+    page.loop.run();
+    await page.pass(1_000);
+    page.restorer.flush();
+    const reloaded = openPage(page);
+    await reloaded.restorer.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+  });
+
   it("is restored again if the page is left right after it was restored", async () => {
     const page = openPage();
     await page.restorer.resume();

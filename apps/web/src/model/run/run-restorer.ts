@@ -14,7 +14,10 @@ import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 const KEY = "corridor.run";
 /** The documents that were open when the page was left, as one JSON text. */
 const PROJECT_KEY = "corridor.run.project";
-/** Stored if the robot was at its start then, so that no run from before a reset is restored. */
+/**
+ * When the run began, if its robot was displayed at its start then: a stored run from before a reset
+ * began earlier. The robot may have moved since it was displayed.
+ */
 const START_KEY = "corridor.run.start";
 
 export interface RunRestorerPorts {
@@ -34,23 +37,15 @@ export class RunRestorer {
   /** the run that is being restored */
   #load: RunLoad | null = null;
   #hasReported = false;
-  /** whether the start is stored */
-  #isAtStart: boolean;
   #hasResumed = false;
 
   /** Starts to store the key of the worker's run. */
   constructor(ports: RunRestorerPorts) {
     this.#ports = ports;
-    this.#isAtStart = ports.tab.getItem(START_KEY) !== null;
     ports.simulator.listen((message) => {
       if (message.type === "run-key") this.#storeKey(message.key);
       if (message.type !== "frame") return;
       this.#frame = message.frame;
-      // A hidden page may drive, and end without another flush.
-      if (this.#isAtStart && message.frame.nowTick > 0) {
-        this.#isAtStart = false;
-        ports.tab.removeItem(START_KEY);
-      }
       // A user who drives or edits while a long run is restored has started another run.
       if (!this.#isUntouched()) this.#load?.cancel();
     });
@@ -63,7 +58,8 @@ export class RunRestorer {
   flush(): void {
     if (!this.#hasResumed || this.#ports.tab.getItem(KEY) === null) return;
     this.#write(PROJECT_KEY, this.#project());
-    if (this.#frame?.nowTick === 0) this.#isAtStart = this.#write(START_KEY, "yes");
+    if (this.#frame?.nowTick === 0) this.#write(START_KEY, String(this.#frame.startedAt));
+    else this.#ports.tab.removeItem(START_KEY);
   }
 
   /** Restores the stored run, if it is the run that was left; see `restoreWorld`. */
@@ -76,8 +72,9 @@ export class RunRestorer {
   async #restore(key: string): Promise<void> {
     const { tab, simulator, onLost } = this.#ports;
     const isSameProject = tab.getItem(PROJECT_KEY) === this.#project();
-    const wasAtStart = this.#isAtStart;
-    this.#load = restoreRun(simulator, { key, isSameProject, wasAtStart });
+    const start = tab.getItem(START_KEY);
+    const atStartSince = start === null ? null : Number(start);
+    this.#load = restoreRun(simulator, { key, isSameProject, atStartSince });
     const loaded = await this.#load.loaded;
     this.#load = null;
     if (loaded.ok) {

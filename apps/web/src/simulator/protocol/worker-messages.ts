@@ -66,8 +66,11 @@ export interface RestoreRun {
    * decide
    */
   isSameProject: boolean;
-  /** whether the robot was at its start then: a stored run in which it has moved ended by a reset */
-  wasAtStart: boolean;
+  /**
+   * when the run began whose robot was displayed at its start then, in ms since 1970: a stored run
+   * that began earlier ended by a reset. null: the robot had moved
+   */
+  atStartSince: number | null;
 }
 
 /** Adds a recorded run of the same maze to the race; answered by `ghost-added` with the same id. */

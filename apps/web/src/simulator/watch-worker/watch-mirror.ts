@@ -79,6 +79,7 @@ export class WatchMirror {
       waited: 0,
       nowDriver: snapshot.driver,
       revision: 0,
+      startedAt: 0,
       corners,
       bumps,
       trailReset,

@@ -81,7 +81,7 @@ export class DisplayedTick {
   }
 
   frame(): Frame {
-    const { recording, program, driver, revision, isRunning } = this.#live;
+    const { recording, program, driver, revision, startedAt, isRunning } = this.#live;
     const run = this.#run;
     const snapshot = this.#snapshotOf(run, this.#past === null ? isRunning : this.isPlaying);
     const endLine = this.#past === null && !isRunning ? lastLine(run) : null;
@@ -98,6 +98,7 @@ export class DisplayedTick {
       waited: recording.timeline.commands.waitedUpTo(run.tick),
       nowDriver: driver,
       revision,
+      startedAt,
       ...this.#trail.take(recording, run.tick),
     };
   }

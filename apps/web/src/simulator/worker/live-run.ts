@@ -16,8 +16,13 @@ export class LiveRun {
   isRunning = false;
   /** changes of the inputs of all previous runs */
   #revisions = 0;
+  readonly #now: () => number;
+  #startedAt: number;
 
-  constructor(maze: MazeDocument, program: ProgramDocument) {
+  /** @param now monotonic milliseconds since 1970 */
+  constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
+    this.#now = now;
+    this.#startedAt = now();
     this.#maze = maze;
     this.#program = newest(program);
     this.#recording = new Recording(maze, program);
@@ -25,6 +30,11 @@ export class LiveRun {
 
   get recording(): Recording {
     return this.#recording;
+  }
+
+  /** when this run began or was opened, in ms since 1970 */
+  get startedAt(): number {
+    return this.#startedAt;
   }
 
   get run(): Run {
@@ -106,6 +116,7 @@ export class LiveRun {
 
   #show(recording: Recording): void {
     this.#revisions = this.revision + 1;
+    this.#startedAt = this.#now();
     this.#recording = recording;
   }
 }

@@ -28,7 +28,7 @@ export interface RestorePorts {
  * robot drives already.
  */
 export async function restoreWorld(
-  { key, isSameProject, wasAtStart }: Pick<RestoreRun, "key" | "isSameProject" | "wasAtStart">,
+  { key, isSameProject, atStartSince }: Pick<RestoreRun, "key" | "isSameProject" | "atStartSince">,
   { repository, run, load, answer, restored }: RestorePorts,
 ): Promise<void> {
   const world = await repository.claim(key);
@@ -39,7 +39,8 @@ export async function restoreWorld(
   load(read.value, (recording) => {
     const { maze, program, tick } = recording.run;
     const isOther = !isSameProject && !run.isOf(maze, program);
-    if (isOther || (wasAtStart && tick > 0)) return { ok: false, reason: "other-run" };
+    const isBeforeReset = tick > 0 && atStartSince !== null && world.startedAt < atStartSince;
+    if (isOther || isBeforeReset) return { ok: false, reason: "other-run" };
     restored(world.journal === null ? null : endedBy(world.journal, recording.run));
     return run.open(recording);
   });

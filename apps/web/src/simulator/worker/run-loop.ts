@@ -36,10 +36,10 @@ export class RunLoop {
   /** continues what the suspension interrupted; null: nothing drove, or it has ended since */
   #continue: (() => void) | null = null;
 
-  /** @param now monotonic milliseconds */
+  /** @param now monotonic milliseconds since 1970, comparable over a reload */
   constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
     this.#clock = new RunClock(now);
-    this.#live = new LiveRun(maze, program);
+    this.#live = new LiveRun(maze, program, now);
     this.#screen = new DisplayedTick(this.#live);
     this.updates = new RunUpdates(this.#live, this.#screen, this.#observer);
   }
@@ -52,6 +52,11 @@ export class RunLoop {
   /** the commands of scripts; they arrive by `accept`, and all end by `cancelRemote` */
   get remote(): Pick<RemoteDriver, "cancelOne" | "reset" | "renew" | "running"> | null {
     return this.#remote;
+  }
+
+  /** when the run began or was opened, in ms since 1970 */
+  get startedAt(): number {
+    return this.#live.startedAt;
   }
 
   /** Whether the robot is unchanged since the page started. */

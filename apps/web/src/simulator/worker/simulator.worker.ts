@@ -263,7 +263,7 @@ function control(run: RunLoop, message: RunMessage): void {
 /** A run that started before the page continues: only names can differ. */
 function load({ maze, program }: FirstProject): void {
   if (loop === null) {
-    loop = new RunLoop(maze, program, now);
+    loop = new RunLoop(maze, program, () => performance.timeOrigin + now());
     // They load after the first tick.
     loop.updates.awaitDiagnostics(true);
     return;

@@ -93,6 +93,7 @@ export class StoredWorld {
       const { run, journal, onClaimed, now } = this.#ports;
       this.#repository = openWorldRepository({
         recording: () => run().recording,
+        startedAt: () => run().startedAt,
         journal: () => journal() ?? this.#restored,
         storeKey: (key) => this.#storeKey(key),
         onClaimed,

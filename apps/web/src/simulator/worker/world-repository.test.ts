@@ -12,6 +12,7 @@ function newKeeper(store: WorldStore, noteKey = (_key: string | null) => Promise
   const keeper = new WorldRepository({
     openStore: async () => store,
     recording: () => recording,
+    startedAt: () => 0,
     journal: () => null,
     storeKey: (key) => {
       keys.push(key);

@@ -16,6 +16,8 @@ export interface WorldRepositoryPorts {
   openStore: () => Promise<WorldStore>;
   /** the live run */
   recording: () => Recording;
+  /** when the live run began, in ms since 1970 */
+  startedAt: () => number;
   /** endings of commands in it */
   journal: () => WorldJournal | null;
   /**
@@ -128,7 +130,7 @@ export class WorldRepository {
   }
 
   async #writeNow(isStrict: boolean): Promise<void> {
-    const { storeKey, onClaimed, newId, recording, journal } = this.#ports;
+    const { storeKey, onClaimed, newId, recording, startedAt, journal } = this.#ports;
     const store = await this.#within(this.#opened());
     if (this.#key === null) {
       const key = newId();
@@ -141,7 +143,7 @@ export class WorldRepository {
     const mark = this.#stored?.recording === run ? this.#stored.mark : null;
     const update = run.updateSince(mark);
     if (update === null) throw new Error("the run is longer than a document may be");
-    const entry = { update, journal: journal(), isStrict };
+    const entry = { update, startedAt: startedAt(), journal: journal(), isStrict };
     const outcome = await this.#within(store.write(this.#key, this.#writer, entry));
     this.#stored = null;
     if (outcome === "gone") return this.#writeNow(isStrict);

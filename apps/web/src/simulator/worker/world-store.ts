@@ -26,6 +26,8 @@ export interface WorldJournal extends CommandJournal {
 export interface StoredWorld {
   /** fields of a run document; another version of the page may have written them */
   run: Record<string, unknown>;
+  /** when the run began, in ms since 1970 */
+  startedAt: number;
   journal: WorldJournal | null;
 }
 
@@ -44,6 +46,8 @@ export interface WorldStore {
 
 export interface WorldEntry {
   update: RunUpdate;
+  /** when the run began, in ms since 1970 */
+  startedAt: number;
   journal: WorldJournal | null;
   /** whether it must survive a power failure, too */
   isStrict: boolean;
@@ -58,6 +62,7 @@ interface Head {
   parts: number;
   ticks: number;
   digest: string;
+  startedAt: number;
   journal: WorldJournal | null;
 }
 
@@ -122,12 +127,12 @@ export async function openWorldStore(now: () => number): Promise<WorldStore> {
       await done;
       const first = stored.parts[0]?.first;
       if (stored.head === undefined || first === undefined || first === null) return null;
-      const { ticks, digest, journal } = stored.head;
+      const { ticks, digest, startedAt, journal } = stored.head;
       const inputs = stored.parts.flatMap((part) => part.inputs);
-      return { run: { ...first, ticks, digest, inputs }, journal };
+      return { run: { ...first, ticks, digest, inputs }, startedAt, journal };
     },
 
-    async write(key, writer, { update, journal, isStrict }) {
+    async write(key, writer, { update, startedAt, journal, isStrict }) {
       const { first, inputs, ticks, digest } = update;
       const { transaction, heads, parts } = begin(isStrict);
       const done = doneOf(transaction);
@@ -146,8 +151,8 @@ export async function openWorldStore(now: () => number): Promise<WorldStore> {
           if (first !== null || inputs.length > 0) {
             parts.put({ first, inputs } satisfies Part, [key, count++]);
           }
-          const next: Head = { writer, at: now(), parts: count, ticks, digest, journal };
-          heads.put(next, key);
+          const written = { writer, at: now(), parts: count };
+          heads.put({ ...written, ticks, digest, startedAt, journal } satisfies Head, key);
         }
         transaction.commit();
       };

@@ -35,6 +35,8 @@ export interface Frame {
   nowDriver: DriverName;
   /** increases with each added or discarded input: a run saved before is outdated then */
   revision: number;
+  /** when the run began or was opened, in ms since 1970; 0 for a viewer, who does not know it */
+  startedAt: number;
   /**
    * New corners of the trail, x and y alternating, in units; its end is the pose. Packed when sent
    * to the page: a jump has 40,000 numbers, and as many objects cost 15 ms of garbage collection.

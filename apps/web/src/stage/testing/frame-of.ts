@@ -13,6 +13,7 @@ export function frameOf(changes: Partial<Frame> = {}): Frame {
     waited: 0,
     nowDriver: snapshot.driver,
     revision: 0,
+    startedAt: 0,
     corners: [],
     bumps: [],
     trailReset: false,

@@ -22,17 +22,23 @@ interface Left {
 }
 
 let writers = 0;
+/** A page opens after all earlier ones. */
+let openedAt = 0;
+const HOUR_MS = 3_600_000;
 
 /** A page with a real run, connected as in the worker's entry. */
 export function openPage(
   { tab, store }: Left = { tab: new MemoryStorage(), store: new MemoryWorldStore() },
   maze = firstMaze,
 ) {
-  let time = 0;
+  let time = (openedAt += HOUR_MS);
+  /** whether the page receives what the worker sends */
+  let isBusy = false;
   const listeners = new Set<(message: FromWorker) => void>();
   const lost: string[] = [];
   const loop = new RunLoop(maze, firstProgram, () => time);
   const post = (message: FromWorker) => {
+    if (isBusy) return;
     for (const listener of listeners) listener(message);
   };
   const postUpdate = () => {
@@ -48,6 +54,7 @@ export function openPage(
   const worlds = new WorldRepository({
     openStore: async () => store,
     recording: () => loop.recording,
+    startedAt: () => loop.startedAt,
     journal: () => of.journal ?? of.restored,
     storeKey: (key) => {
       const noted = new Promise<boolean>((resolve) => notes.push(resolve));
@@ -113,9 +120,10 @@ export function openPage(
     }
   };
   const beSlow = () => void (isSlow = true);
+  const beBusy = () => void (isBusy = true);
   const slice = () => slices.shift()?.();
   postUpdate();
-  return { loop, restorer, worlds, of, tab, store, workspace, pass, lost, beSlow, slice };
+  return { loop, restorer, worlds, of, tab, store, workspace, pass, lost, beSlow, beBusy, slice };
 }
 
 /** Runs everything that depends on no timer. */

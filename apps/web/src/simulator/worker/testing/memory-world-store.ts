@@ -7,6 +7,7 @@ interface World {
   inputs: object[];
   ticks: number;
   digest: string;
+  startedAt: number;
   journal: WorldEntry["journal"];
 }
 
@@ -21,12 +22,12 @@ export class MemoryWorldStore implements WorldStore {
     const world = this.worlds.get(key);
     if (world === undefined) return null;
     world.writer = writer;
-    const { first, inputs, ticks, digest, journal } = structuredClone(world);
-    return { run: { ...first, inputs, ticks, digest }, journal };
+    const { first, inputs, ticks, digest, startedAt, journal } = structuredClone(world);
+    return { run: { ...first, inputs, ticks, digest }, startedAt, journal };
   }
 
   async write(key: string, writer: string, entry: WorldEntry) {
-    const { update, journal } = structuredClone(entry);
+    const { update, startedAt, journal } = structuredClone(entry);
     await Promise.resolve();
     if (this.isFull) throw new DOMException("full", "QuotaExceededError");
     const before = this.worlds.get(key);
@@ -42,6 +43,7 @@ export class MemoryWorldStore implements WorldStore {
       inputs: [...inputs, ...update.inputs],
       ticks,
       digest,
+      startedAt,
       journal,
     });
     return "stored";
