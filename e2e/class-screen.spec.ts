@@ -30,7 +30,9 @@ async function expectTaskBesideBump(page: Page): Promise<void> {
   const task = page.getByText(SENTENCE);
   await page.getByRole("combobox", { name: "Speed" }).selectOption("max");
   await page.getByRole("button", { name: "Run", exact: true }).click();
-  const reason = page.getByText(/^Bump at 4\.\d s/).and(page.locator(":not(.visually-hidden)"));
+  // The announcements are not displayed.
+  const displayed = page.locator(":not(.visually-hidden, #spoken *)");
+  const reason = page.getByText(/^Bump at 4\.\d s/).and(displayed);
   await expect(page.getByRole("heading", { name: "Bump" })).toBeInViewport();
   await expect(reason.and(page.locator("span, [role=note]"))).toHaveCount(1);
   await expect(task.first()).toBeInViewport({ ratio: 1 });
