@@ -33,6 +33,7 @@ async function countAudio(page: Page): Promise<() => Promise<Window["audio"]>> {
 
 test("is silent until sound is turned on, and stores the choice across a reload", async ({
   corridor,
+  pageErrors,
 }) => {
   const { page } = corridor;
   const audio = await countAudio(page);
@@ -59,4 +60,9 @@ test("is silent until sound is turned on, and stores the choice across a reload"
   await view.click();
   await expect(sound.getByRole("checkbox", { name: "Play sounds" })).toBeChecked();
   await expect(sound.getByRole("combobox", { name: "Beam that ticks" })).toHaveValue("right");
+
+  pageErrors.ignoreFailedRequests();
+  await page.route(/\/sounds-[\w-]+\.js$/, (route) => route.abort());
+  await corridor.reload();
+  await expect(corridor.message(/^A part of Corridor did not load/)).toBeVisible();
 });

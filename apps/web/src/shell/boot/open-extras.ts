@@ -21,7 +21,9 @@ export async function openExtras(
   const openLesson = tab.getItem(CLASS_KEY) === null ? null : await openClass(services, words, tab);
   return async () => {
     openLesson?.();
-    await resumeSounds(services, words, tab);
+    const parts = [resumeSounds(services), resumeRace(services, words, tab)];
+    const resumed = await Promise.allSettled(parts);
+    if (resumed.some(({ status }) => status === "rejected")) reportMissing(services, words);
   };
 }
 
@@ -35,18 +37,26 @@ async function openClass(
     const part = await import("../../features/class/open-class.tsx");
     return await part.openClass(services, words, tab);
   } catch {
-    showMessage(services.screen, { tone: "bad", text: words.t("offline.partFailed") });
+    reportMissing(services, words);
     return null;
   }
 }
 
-async function resumeSounds(services: Services, words: i18n, tab: KeyValueStorage): Promise<void> {
+async function resumeSounds({ run }: Services): Promise<void> {
   const { soundsOf } = await import("../../features/sound/sounds.ts");
-  soundsOf(services.run).resume();
+  soundsOf(run).resume();
+}
+
+async function resumeRace(services: Services, words: i18n, tab: KeyValueStorage): Promise<void> {
   if (tab.getItem(RACE_KEY) === null) return;
   const [{ raceService }] = await Promise.all([
     import("../../features/race/race-service.ts"),
     words.loadNamespaces("race"),
   ]);
   await raceService(services, words).resume();
+}
+
+/** A file did not come. */
+function reportMissing({ screen }: Services, words: i18n): void {
+  showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });
 }
