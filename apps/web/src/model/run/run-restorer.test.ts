@@ -230,6 +230,27 @@ describe("a run over a reload", () => {
     expect([...other.lost, ...eager.lost]).toEqual([]);
   });
 
+  it.each([
+    { when: "before", runsFirst: true },
+    { when: "while", runsFirst: false },
+  ])("does not stop a user who pressed Run $when it is restored", async ({ runsFirst }) => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(20_000);
+    const reloaded = openPage(page);
+    reloaded.beSlow();
+    if (runsFirst) reloaded.loop.run();
+    const resumed = reloaded.restorer.resume();
+    await settle();
+    if (!runsFirst) reloaded.loop.run();
+    // No tick passes meanwhile.
+    while (reloaded.slice()) await settle();
+    await resumed;
+    expect(reloaded.lost).toEqual([]);
+    expect(reloaded.loop.isRunning).toBe(true);
+    expect(reloaded.loop.snapshot().tick).toBe(0);
+  });
+
   it("does not delay a user who drives while a long one is restored", async () => {
     const page = openPage();
     page.loop.run();

@@ -37,6 +37,7 @@ export async function restoreWorld(
   if (!read.ok) return answer({ ...read, reason: "refused" });
   if (!run.isUntouched) return answer({ ok: false, reason: "cancelled" });
   load(read.value, (recording) => {
+    if (!run.isUntouched) return { ok: false, reason: "cancelled" };
     const { maze, program, tick } = recording.run;
     const isOther = !isSameProject && !run.isOf(maze, program);
     const isBeforeReset = tick > 0 && atStartSince !== null && world.startedAt < atStartSince;

@@ -59,9 +59,10 @@ export class RunLoop {
     return this.#live.startedAt;
   }
 
-  /** Whether the robot is unchanged since the page started. */
+  /** Whether the robot is unchanged since the page started, and nothing drives it. */
   get isUntouched(): boolean {
-    return this.#live.revision === 0 && this.#live.run.tick === 0;
+    const { revision, run, isRunning } = this.#live;
+    return revision === 0 && run.tick === 0 && !isRunning;
   }
 
   /** The live run, for storing it. */

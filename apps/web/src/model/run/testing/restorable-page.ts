@@ -121,7 +121,12 @@ export function openPage(
   };
   const beSlow = () => void (isSlow = true);
   const beBusy = () => void (isBusy = true);
-  const slice = () => slices.shift()?.();
+  /** Replays a slice. @returns false if none waits */
+  const slice = (): boolean => {
+    const next = slices.shift();
+    next?.();
+    return next !== undefined;
+  };
   postUpdate();
   return { loop, restorer, worlds, of, tab, store, workspace, pass, lost, beSlow, beBusy, slice };
 }
