@@ -51,7 +51,7 @@ export class RunAttempts {
    * has just restored
    */
   #isOpened = true;
-  /** the robot has not left the world of the task before */
+  /** another task is open, and the worker has not ended the run of the one before yet */
   #isBeforeReset = false;
   /** cancels the report of a run that has ended; null: it has not */
   #cancelEnd: (() => void) | null = null;
