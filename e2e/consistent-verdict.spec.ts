@@ -145,10 +145,8 @@ async function expectSameVerdict(corridor: CorridorPage, lessons: LessonsPanel):
   // bump or a goal may follow the outcome.
   await expect
     .poll(async () => {
-      const [outcome, note] = [
-        (await lessons.outcome.allTextContents()).join(),
-        await runNoteOf(corridor),
-      ];
+      const outcome = (await lessons.outcome.allTextContents()).join();
+      const note = await runNoteOf(corridor);
       return note === "" && !outcome.includes("Time is up") ? "" : outcome + note;
     })
     .toMatch(/\.\d s\. (?!This mission).+\.|Time is up after .+\.|Goal reached/);

@@ -50,6 +50,11 @@ export class TimelinePanel {
     return this.#transport.locator("svg g > g > text");
   }
 
+  /** Attached also where they are hidden. */
+  get zoomButtons(): Locator {
+    return this.#transport.getByRole("group", { name: "Timeline zoom", includeHidden: true });
+  }
+
   get zoomIn(): Locator {
     return this.#transport.getByRole("button", { name: "Zoom in on the timeline" });
   }

@@ -153,32 +153,21 @@ describe("a run over a reload", () => {
     expect(reloaded.lost).toEqual([]);
   });
 
-  it("is restored if the page was hidden at the start, drove on, and ended without a notice", async () => {
+  it.each([
+    { name: "was hidden at the start, drove on, and ended without a notice", isHidden: true },
+    { name: "was too busy to display that the robot had left its start", isHidden: false },
+  ])("is restored if the page $name", async ({ isHidden }) => {
     const page = openPage();
     await page.restorer.resume();
     page.loop.run();
     await page.pass(1_000);
     page.loop.reset();
     await page.pass(300);
-    page.restorer.flush();
+    if (isHidden) page.restorer.flush();
+    else page.beBusy();
     page.loop.run();
     await page.pass(1_000);
-    const reloaded = openPage(page);
-    await reloaded.restorer.resume();
-    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
-  });
-
-  it("is restored if the page was too busy to display that the robot had left its start", async () => {
-    const page = openPage();
-    await page.restorer.resume();
-    page.loop.run();
-    await page.pass(1_000);
-    page.loop.reset();
-    await page.pass(300);
-    page.beBusy();
-    page.loop.run();
-    await page.pass(1_000);
-    page.restorer.flush();
+    if (!isHidden) page.restorer.flush();
     const reloaded = openPage(page);
     await reloaded.restorer.resume();
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
