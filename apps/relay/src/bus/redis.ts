@@ -221,7 +221,8 @@ export class RedisBus implements Bus {
       member.holder =
         message.kind === "page" && !isOwn ? { ...message, relay: message.from } : null;
     }
-    if (isOwn) return;
+    // The response to a deletion of this relay can be lost, or late.
+    if (isOwn && message.kind !== "over") return;
     member.listener.received(message);
   }
 

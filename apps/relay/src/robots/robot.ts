@@ -154,16 +154,29 @@ export class Robot {
     });
   }
 
-  /** Loads a robot into memory and subscribes to its channel. */
-  static async open(stored: StoredRobot, parts: RobotParts): Promise<Robot> {
+  /**
+   * Loads a robot into memory and subscribes to its channel.
+   * @returns null if it was deleted meanwhile
+   */
+  static async open(stored: StoredRobot, parts: RobotParts): Promise<Robot | null> {
     const robot = new Robot(stored, parts);
     await robot.#channel.open(parts.bus, stored.id, {
       commandsChanged: (changes, isOwn) => robot.#life.receivedChanges(changes, isOwn),
       missed: () => robot.missedMessages(),
       received: (message) => robot.#others.received(message),
     });
-    await robot.#others.waitForPage();
-    return robot;
+    try {
+      // Another relay may have revoked a key or deleted the robot before this one joined the channel.
+      if (await robot.keys.reread()) {
+        await robot.#others.waitForPage();
+        return robot;
+      }
+    } catch (error) {
+      robot.leave();
+      throw error;
+    }
+    robot.leave();
+    return null;
   }
 
   /**
@@ -309,6 +322,7 @@ export class Robot {
 
   /** Ends the robot for all connected clients. */
   close(reason: "over" | "restart"): void {
+    if (this.#end !== null) return;
     this.#end = reason;
     if (this.hasPage) this.#channel.pageLeft(this.#ownership.epoch, false);
     if (reason === "over") this.#channel.deleted();

@@ -25,8 +25,11 @@ import { completed } from "../platform/testing/messages.ts";
 import { maze } from "../platform/testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
+import { hashKey, keyId } from "../platform/keys.ts";
+import { unknownScript } from "./access/callers.ts";
 import type { PageConnection } from "./page/page-ownership.ts";
 import { RobotRegistry } from "./registry.ts";
+import type { Robot } from "./robot.ts";
 
 const LEFT: Order = { action: "left 90" };
 const waitLimit = (milliseconds: number) => ({
@@ -115,6 +118,17 @@ async function withRelays() {
     cut,
     /** A relay that shares the store, but not the message bus. */
     newRelay: () => new RobotRegistry(store, clock, log),
+    /** A relay on the bus. Each robot changes right before it joins the robot's channel. */
+    relayThatJoinsAfter: (change: () => Promise<unknown>) =>
+      new RobotRegistry(store, clock, log, {
+        bus: {
+          join: async (id, own) => {
+            await change();
+            return bus.join(id, own);
+          },
+          close: () => bus.close(),
+        },
+      }),
     /** Delivers a message to the first relay, as its channel would. */
     notifyPages: (message: BusMessage) => listener.at(-1)?.received(message),
     bus,
@@ -445,6 +459,32 @@ describe("page and script at different relays", () => {
     ).rejects.toMatchObject({
       kind: "no-robot",
     });
+  });
+
+  it.each([
+    {
+      change: "revokes a key",
+      act: async ({ keys }: Robot) => keys.make({ kind: "drive", replace: true }),
+      kind: "not-authorised",
+    },
+    {
+      change: "blocks a script",
+      act: async ({ scriptAccess }: Robot, driver: string) =>
+        scriptAccess.block({ driver, ...unknownScript }),
+      kind: "blocked",
+    },
+    {
+      change: "deletes the robot",
+      act: async (robot: Robot, _: string, pages: RobotRegistry) => pages.remove(robot),
+      kind: "no-robot",
+    },
+  ])("$change at one relay while another one loads the robot", async ({ act, kind }) => {
+    const { host, pages, relayThatJoinsAfter, registration } = await withRelays();
+    const { id, driverKey } = registration;
+    const other = relayThatJoinsAfter(async () =>
+      act(host.robot, keyId(hashKey(driverKey)), pages),
+    );
+    await expect(other.authorise(id, driverKey, "read")).rejects.toMatchObject({ kind });
   });
 
   it("disconnects a client that reconnects to another relay during the deletion", async () => {

@@ -83,6 +83,16 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     );
   });
 
+  it("reports a deletion also to the relay that made it, because the response can be lost", async () => {
+    const relay = await relayAt((await startTestRedis()).url, "relay-a");
+    await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+    const { received } = await subscribe(relay);
+    vi.spyOn(relay.redis, "info").mockRejectedValueOnce(new Error("the connection was lost"));
+    const expiry = relay.store.removeExpired({ lastUsedAt: 2, createdAt: 2 });
+    await expect(expiry).rejects.toBeInstanceOf(StoreUnavailableError);
+    await vi.waitFor(() => expect(received).toContainEqual({ kind: "over", from: "relay-a" }));
+  });
+
   it("reports the page of a dead relay as disconnected within five seconds", async () => {
     const [dying, other] = await twoRelays();
     await other.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });

@@ -159,13 +159,25 @@ export class KeyRing {
     void this.#reload();
   }
 
+  /**
+   * Reads the keys and the permissions of scripts once.
+   * @returns false if the robot was deleted
+   */
+  async reread(): Promise<boolean> {
+    const stored = await this.#parts.store.find(this.#parts.robot);
+    if (stored === null) return false;
+    this.#apply(stored.keys);
+    this.#parts.scripts.apply(stored);
+    return true;
+  }
+
   close(): void {
     for (const cancel of this.#cancelTimers) cancel();
     this.#cancelTimers = [];
   }
 
   async #reload(): Promise<void> {
-    const { store, robot, clock } = this.#parts;
+    const { clock } = this.#parts;
     const cancelDoubt = clock.after(limits.keysUnsureMs, () => {
       this.#isSure = false;
       this.#parts.rights.changed();
@@ -175,12 +187,7 @@ export class KeyRing {
     for (let known = -1; known !== this.#changes;) {
       const asked = this.#changes;
       try {
-        const stored = await store.find(robot);
-        if (stored !== null) {
-          this.#apply(stored.keys);
-          this.#parts.scripts.apply(stored);
-          this.#parts.listener.reread();
-        }
+        if (await this.reread()) this.#parts.listener.reread();
         known = asked;
       } catch {
         await new Promise<void>((resolve) => {
