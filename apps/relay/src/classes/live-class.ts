@@ -16,7 +16,7 @@ import { ClassConnections } from "./class-connections.ts";
 import { ClassCommits } from "./class-commits.ts";
 import { activeMs, isoTime, settingsOf, stateOf, viewOf, type ClassState } from "./class-state.ts";
 import type { Step } from "./step.ts";
-import { requireStudent } from "./teacher-steps.ts";
+import { removeStep, requireStudent } from "./teacher-steps.ts";
 
 export interface LiveClassParts {
   store: ClassStore;
@@ -79,6 +79,15 @@ export class LiveClass {
   /** Runs a step. Its changes are stored when the promise resolves. */
   async run<T>(step: Step<T>): Promise<T> {
     return this.#commits.run(step);
+  }
+
+  /**
+   * Deletes a student with all data, also from the files of the store.
+   * @throws Refusal no-student
+   */
+  async removeStudent(student: number): Promise<void> {
+    await this.run(removeStep(student));
+    await this.#parts.store.erased();
   }
 
   /** The member with a key, who may have joined at another relay a moment ago; null: nobody. */

@@ -18,3 +18,20 @@ it("disconnects the students of a class whose first deletion failed", async () =
   await a.remove(await at(a));
   expect(closed).toEqual(["over"]);
 });
+
+it("admits students while the files still contain one who was removed", async () => {
+  const file = new SqliteFile(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => file.close());
+  const backend = { store: new SqliteClassStore(file), bus: new LocalClassBus() };
+  const { a, at, join: joinAt, student } = await classAtTwoRelays([backend, backend]);
+  const { closed } = await student(a, await joinAt(a));
+  const { promise: erased, resolve: erase } = Promise.withResolvers<void>();
+  vi.spyOn(backend.store, "erased").mockReturnValueOnce(erased);
+  const isDone = vi.fn<() => void>();
+  const removed = (await at(a)).removeStudent(1).then(isDone);
+  await vi.waitFor(() => expect(closed).toEqual(["removed"]));
+  await joinAt(a);
+  expect(isDone).not.toHaveBeenCalled();
+  erase();
+  await removed;
+});

@@ -113,6 +113,11 @@ export interface ClassStore {
     changes: ClassChanges,
     message: string,
   ): Promise<ClassCommitResult>;
+  /**
+   * Waits until the files contain nothing of the students that were removed. Not a part of `commit`,
+   * because a large store takes seconds, and the next commit of the class must not wait.
+   */
+  erased(): Promise<void>;
   /** Finds a code, which may have expired. @param hash of the code */
   findCode(hash: string): Promise<FoundCode | null>;
   lesson(id: string): Promise<string | null>;

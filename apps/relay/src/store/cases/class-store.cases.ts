@@ -171,6 +171,7 @@ export function classStoreCases(name: string, open: () => Promise<OpenClassStore
       await commit(store, 0, fullOne);
       expect(await holds("hash-of-student-12")).toBe(true);
       expect(await commit(store, 1, changes(2, { removed: [12] }))).toBe("committed");
+      await store.erased();
       expect((await store.load(ID))?.students).toEqual([student(1)]);
       expect(await store.program(ID, 12)).toBeNull();
       expect(await store.progress(ID)).toEqual([{ student: 1, text: '{"what":"opened"}' }]);

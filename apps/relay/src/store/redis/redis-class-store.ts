@@ -80,8 +80,12 @@ export class RedisClassStore implements ClassStore {
       message,
     });
     const answer = commitAnswer.parse(result);
-    if (answer === "committed" && removed.length > 0) await this.#deletedBytes.sweep();
+    if (answer === "committed" && removed.length > 0) this.#deletedBytes.deleted();
     return answer;
+  }
+
+  async erased(): Promise<void> {
+    await this.#deletedBytes.sweep();
   }
 
   async findCode(hash: string): Promise<FoundCode | null> {
@@ -112,13 +116,15 @@ export class RedisClassStore implements ClassStore {
 
   async remove(id: string): Promise<boolean> {
     const isRemoved = z.boolean().parse(await this.#step("remove", { id }));
-    if (isRemoved) await this.#deletedBytes.sweep();
+    if (isRemoved) this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return isRemoved;
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
     const all = await removeExpired(before, async (values) => this.#step("removeExpired", values));
-    if (all.length > 0) await this.#deletedBytes.sweep();
+    if (all.length > 0) this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return all;
   }
 

@@ -42,7 +42,8 @@ export class RedisDocumentStore implements DocumentStore {
 
   async remove(id: string, keyHash: string): Promise<RemoveResult> {
     const result = removeResult.parse(await this.#script.run("remove", [USES], { id, keyHash }));
-    if (result === "removed") await this.#deletedBytes.sweep();
+    if (result === "removed") this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return result;
   }
 
@@ -52,7 +53,8 @@ export class RedisDocumentStore implements DocumentStore {
       const values = { before, most: MOST_AT_ONCE };
       count = z.int().parse(await this.#script.run("removeUnused", [USES], values));
     }
-    if (total > 0) await this.#deletedBytes.sweep();
+    if (total > 0) this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return total;
   }
 

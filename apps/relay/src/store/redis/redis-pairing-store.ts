@@ -65,7 +65,10 @@ export class RedisPairingStore implements PairingStore {
 
   async remove(robot: string): Promise<boolean> {
     const removed = z.boolean().parse(await this.#step("remove", { robot }));
-    if (removed) await this.#deletedBytes.sweep();
+    if (removed) {
+      this.#deletedBytes.deleted();
+      await this.#deletedBytes.sweep();
+    }
     return removed;
   }
 
@@ -74,7 +77,8 @@ export class RedisPairingStore implements PairingStore {
     for (let count = MOST_AT_ONCE; count === MOST_AT_ONCE; total += count) {
       count = z.int().parse(await this.#step("removeEnded", { now, most: MOST_AT_ONCE }));
     }
-    if (total > 0) await this.#deletedBytes.sweep();
+    if (total > 0) this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return total;
   }
 

@@ -126,7 +126,8 @@ export class RedisRobotStore implements RobotStore {
   async remove(id: string): Promise<boolean> {
     const removed = z.boolean().parse(await this.#delete("remove", { id }));
     this.#robots.drop([id]);
-    if (removed) await this.#deletedBytes.sweep();
+    if (removed) this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return removed;
   }
 
@@ -135,7 +136,8 @@ export class RedisRobotStore implements RobotStore {
       this.#delete("removeExpired", values),
     );
     this.#robots.drop(all);
-    if (all.length > 0) await this.#deletedBytes.sweep();
+    if (all.length > 0) this.#deletedBytes.deleted();
+    await this.#deletedBytes.sweep();
     return all;
   }
 

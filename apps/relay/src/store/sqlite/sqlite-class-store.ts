@@ -58,6 +58,11 @@ export class SqliteClassStore implements ClassStore {
     return this.#file.remove(work, (result) => result === "committed");
   }
 
+  /** `commit` has erased them. */
+  async erased(): Promise<void> {
+    await Promise.resolve();
+  }
+
   async findCode(hash: string): Promise<FoundCode | null> {
     const sql = "SELECT class, student, ends_at FROM class_codes WHERE hash = ?";
     const [found] = this.#file.reading.all(sql, [hash]);

@@ -10,7 +10,6 @@ import {
   newCodeStep,
   paceStep,
   pauseStep,
-  removeStep,
   resumeStep,
   returnCodeStep,
 } from "../../../classes/teacher-steps.ts";
@@ -133,7 +132,7 @@ export function classRoutes(registry: ClassRegistry, guard: RequestGuard): Route
     .route("/classes/:id/students/:student")
     .delete(async (request, response) => {
       const found = await authorise(request, "direct");
-      await found.run(removeStep(readStudent(request.params.student)));
+      await found.removeStudent(readStudent(request.params.student));
       response.status(204).end();
     })
     .all(methodNotAllowed("DELETE"));
