@@ -74,7 +74,7 @@ async function bumpToGoal({ corridor, page, lessons }: OpenPage): Promise<void> 
   await corridor.program.action(1).selectOption("left 90");
   await corridor.run.click();
   await expect(lessons.outcome).toHaveText(
-    /^Bump at \d\.\d s\. This mission allows none\. Press Reset and try again\.$/,
+    /^Bump at \d\.\d s\. No bumps are allowed here\. Press Reset and try again\.$/,
   );
   await expect(page.getByRole("region", { name: "Solved!" })).toBeHidden();
 }
