@@ -152,6 +152,17 @@ def test_a_lost_command_is_sent_again_with_its_key() -> None:
     assert other.requests[0].headers["Idempotency-Key"] != keys[0]
 
 
+def test_waiting_continues_after_a_network_outage_of_twelve_seconds() -> None:
+    harness = Harness(LOST)
+
+    def answer() -> Response:
+        return LOST if harness.now < 112 else Response(200, b"{}")
+
+    setattr(harness, "_answer", answer)
+    harness.run(harness.protocol.wait(20))
+    assert harness.now >= 120
+
+
 def test_every_request_contains_the_encoded_name() -> None:
     harness = Harness(record("completed"))
     harness.run(harness.protocol.execute(go_forward(100)))

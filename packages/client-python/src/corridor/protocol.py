@@ -196,7 +196,7 @@ class RobotProtocol:
         end = self._clock() + seconds
         while (rest := end - self._clock()) > 0:
             yield Delay(min(_KEEPALIVE, rest))
-            yield from self.check_access()
+            yield from self._request("GET", f"/commands?after={_NO_COMMAND_YET}")
 
     def log(self) -> Exchange[List[Command]]:
         """Every command that the host stores, oldest first."""
@@ -301,7 +301,7 @@ class RobotProtocol:
                     false_expiries += 1
                     if false_expiries == 2:
                         self._times.reset()
-                        yield from self.check_access()
+                        yield from self._request("GET", f"/commands?after={_NO_COMMAND_YET}")
                     continue
             if not is_temporary(response):
                 raise error_of(response, self.address)
