@@ -95,6 +95,29 @@ describe("undo", () => {
     expect(store.getState().maze.blocks[6]).not.toBe(firstMaze.blocks[6]);
   });
 
+  // A press on the stage comes before the blur of a field, a tap of a finger is over before it.
+  it.each([{ isTap: false }, { isTap: true }])(
+    "undoes a stroke that began before the one before it had ended, %o",
+    ({ isTap }) => {
+      const store = createWorkspaceStore(firstMaze, firstProgram);
+      const renamed = { ...firstProgram, name: "Renamed" };
+      const draw = (column: number) =>
+        onMaze(() => setBlock(store.getState().maze, { column, row: 6 }, true))(store);
+      const endField = beginStroke(store);
+      store.setState({ program: renamed });
+      const endDrag = beginStroke(store);
+      draw(5);
+      if (!isTap) endField();
+      draw(6);
+      endDrag();
+      endField();
+      undo(store);
+      expect(documents(store)).toEqual({ maze: firstMaze, program: renamed });
+      undo(store);
+      expect(documents(store)).toEqual({ maze: firstMaze, program: firstProgram });
+    },
+  );
+
   it("does not go back beyond the opening of another project", () => {
     const store = createWorkspaceStore(firstMaze, firstProgram);
     const other = { ...firstMaze, name: "Other" };

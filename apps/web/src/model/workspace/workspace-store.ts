@@ -81,16 +81,23 @@ export function redo(store: WorkspaceStore): void {
   store.temporal.getState().redo();
 }
 
+/** The stroke of each store that has not ended. */
+const openStrokes = new WeakMap<WorkspaceStore, () => void>();
+
 /**
- * Groups several edits (a drag over many cells) into one undo step.
+ * Groups several edits (a drag over many cells) into one undo step. Ends the stroke before it: a
+ * press on the stage comes before the field that has the focus loses it.
  * @returns a function that ends the stroke
  */
 export function beginStroke(store: WorkspaceStore): () => void {
+  openStrokes.get(store)?.();
   const { maze, program, lineIds } = store.getState();
   const history = store.temporal;
   const { pastStates } = history.getState();
   history.getState().pause();
-  return () => {
+  const end = (): void => {
+    if (openStrokes.get(store) !== end) return;
+    openStrokes.delete(store);
     history.getState().resume();
     const after = store.getState();
     if (after.maze === maze && after.program === program) return;
@@ -103,4 +110,6 @@ export function beginStroke(store: WorkspaceStore): () => void {
       futureStates: [],
     });
   };
+  openStrokes.set(store, end);
+  return end;
 }
