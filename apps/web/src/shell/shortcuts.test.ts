@@ -82,6 +82,8 @@ describe("shortcutOf", () => {
       kind: "redo",
     });
     expect(shortcutOf(press("z", { command: true }), "text", true)).toBeNull();
+    const arabic = press("ئ", { code: "KeyZ", command: true });
+    expect(shortcutOf(arabic, "page", true)).toEqual({ kind: "undo" });
   });
 
   it.each(["w", "ArrowUp", " ", "?", "i"])("does nothing on %j when single keys are off", (key) => {

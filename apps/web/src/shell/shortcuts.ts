@@ -71,9 +71,10 @@ export function shortcutOf(press: KeyPress, place: Place, singleKeys: boolean): 
   return key === null ? null : { kind: "drive", key };
 }
 
-function commandShortcut({ key, shift }: KeyPress, place: Place): Shortcut | null {
+function commandShortcut(press: KeyPress, place: Place): Shortcut | null {
+  const { key, shift } = press;
   if (key === "Enter") return { kind: shift ? "step" : "run-or-pause" };
-  if (key.toLowerCase() !== "z" || place === "text") return null;
+  if (letterOf(press) !== "z" || place === "text") return null;
   return { kind: shift ? "redo" : "undo" };
 }
 
@@ -84,7 +85,7 @@ function driveKey(press: KeyPress, place: Place): DriveKey | null {
   return letters[letterOf(press)] ?? null;
 }
 
-/** On keyboards without Latin letters, the physical positions of W, A, S and D count. */
+/** On keyboards without Latin letters, the physical positions count. */
 function letterOf({ key, code }: KeyPress): string {
   return (/^[a-z]$/i.test(key) ? key : code.replace("Key", "")).toLowerCase();
 }
