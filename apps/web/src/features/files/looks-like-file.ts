@@ -1,7 +1,10 @@
 /** Distinguishes text that is meant as a file from text that was pasted by accident. */
 import { isContestText } from "@corridor/maze";
 
-const DRAWN = /[#._|\-+^><▲►▼◄]/g;
+const DRAWN = /[#█._|\-+^><▲►▼◄]/g;
+/** A drawing whose blocks are letters. A word of these letters is shorter. */
+const DRAWN_IN_LETTERS = /^[XxSG.#█^>v<]{9,}$/;
+const BLOCK_LETTERS = /[Xx]/g;
 
 /**
  * Whether a text starts like a document, or at least half of its visible characters draw a maze.
@@ -24,5 +27,8 @@ export function looksLikeProgram(text: string): boolean {
 }
 
 function isDrawn(seen: string): boolean {
-  return seen !== "" && (seen.match(DRAWN)?.length ?? 0) * 2 >= seen.length;
+  const isMostly = (marks: RegExp) => (seen.match(marks)?.length ?? 0) * 2 >= seen.length;
+  return (
+    seen !== "" && (isMostly(DRAWN) || (DRAWN_IN_LETTERS.test(seen) && isMostly(BLOCK_LETTERS)))
+  );
 }

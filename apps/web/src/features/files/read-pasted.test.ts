@@ -20,6 +20,7 @@ it.each(["corridor.example/m/BCDF", " corridor.example/m/BCDF "])(
 it.each([
   "",
   "hello",
+  "Xx",
   origin,
   `${origin}/`,
   `${origin}/foo`,
@@ -33,7 +34,10 @@ it.each([
   "#m1abc",
 ])("treats %j as other text", (text) => expect(readPasted(text, origin)).toBe("other"));
 
-it("treats a drawn maze as a file", () => expect(readPasted("#S.G#", origin)).toBe("file"));
+it.each(["#S.G#", "XXXXX\nXS.GX\nXXXXX", "xxxxxx\nxS  Gx\nxxxxxx", "███████\n█S   G█\n███████"])(
+  "treats a drawn maze as a file: %j",
+  (text) => expect(readPasted(text, origin)).toBe("file"),
+);
 
 it("does not leave the page for an address that is for a script", () =>
   expect(readPasted(`${origin}/r/robot#drv_key`, origin)).toBe("script"));
