@@ -9,7 +9,11 @@ function fakeRedis() {
     info: async () => {
       await Promise.resolve();
       if (!state.isConnected) throw new Error("The client is closed");
-      return `aof_rewrite_in_progress:0\r\naof_rewrite_scheduled:0\r\naof_last_bgrewrite_status:${state.status}\r\n`;
+      return [
+        "aof_rewrite_in_progress:0",
+        "aof_rewrite_scheduled:0",
+        `aof_last_bgrewrite_status:${state.status}`,
+      ].join("\r\n");
     },
     bgRewriteAof: async () => {
       await Promise.resolve();
