@@ -69,12 +69,16 @@ test("a teacher starts a class, a student joins with its letters, and receives a
   await send.getByRole("combobox").selectOption("My own");
   await send.getByRole("button", { name: "Send", exact: true }).click();
   await expect(send.getByText("The lesson is sent.")).toBeVisible();
+  await expect(send.getByText(/^The last lesson has a report on this device/)).toBeVisible();
   expect(student.has("lesson")).toBe(true);
   await send.getByRole("button", { name: "Close" }).click();
   await expect(page.getByRole("heading", { name: "My own" })).toBeVisible();
   await page.getByRole("combobox", { name: "Open tasks" }).selectOption("Tasks open to 2");
   await expect.poll(() => student.received.at(-1)).toEqual({ type: "pace", to: 2 });
   student.close();
+  await page.goto("/teach#report");
+  const saved = page.getByRole("link", { name: "Open the report “8B Robotics, The 2013 study”" });
+  await expect(saved).toBeVisible();
 });
 
 /** A big screen of fewer pixels: the robots of a race move all the time. */

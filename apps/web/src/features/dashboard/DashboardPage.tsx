@@ -122,7 +122,11 @@ export function DashboardPage(props: DashboardPageProps) {
               onClose={() => setWatched(null)}
             />
           )}
-          <SendLesson isOpen={isSending && !isOver} onClose={() => setSending(false)} />
+          <SendLesson
+            isOpen={isSending && !isOver}
+            onClose={() => setSending(false)}
+            label={label}
+          />
           <EndDialog
             isOpen={isEnding && !isOver}
             onClose={() => setEnding(false)}
