@@ -50,6 +50,10 @@ def test_the_key_may_be_a_separate_argument() -> None:
         ("http://localhost:8080/r/abc?key=" + KEY, "key after the # is missing"),
         ("http://me:secret@localhost/r/abc#" + KEY, "before the @"),
         ("http://localhost/r/abc#" + "k" * 500, "looks like http://HOST/r/ID#KEY"),
+        ("http://robots..example/r/abc#" + KEY, "between http:// and /r/ is wrong"),
+        ("http://" + "a" * 64 + ".example/r/abc#" + KEY, "between http:// and /r/ is wrong"),
+        ("http://[::1/r/abc#" + KEY, "between http:// and /r/ is wrong"),
+        ("http://localhost:99999/r/abc#" + KEY, "between http:// and /r/ is wrong"),
     ],
 )
 def test_an_invalid_address_is_explained(text: str, hint: str) -> None:

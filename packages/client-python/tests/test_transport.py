@@ -100,6 +100,12 @@ def test_silence_is_a_failure_after_the_timeout() -> None:
     assert answer == Response(0, error="no response in time")
 
 
+@pytest.mark.parametrize("host", ["…", "robots..example", "[::1"])
+def test_a_host_that_no_request_can_have_is_a_failure(host: str) -> None:
+    answer = get(f"http://{host}")
+    assert answer.status == 0 and answer.error
+
+
 def test_a_refused_connection_is_reported_without_the_key() -> None:
     answer = get("http://127.0.0.1:9")
     assert answer.status == 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from typing import Optional
+from urllib.parse import urlsplit
 
 from .errors import AddressError
 
@@ -46,11 +47,23 @@ def parse_address(text: str, key: Optional[str] = None) -> Address:
     if match is None:
         raise _wrong(_hint_for(text[:_MAX_ADDRESS]))
     origin, robot_id, own_key = match.groups()
+    if not _has_host(origin):
+        raise _wrong(f"The name or number between http:// and /r/ is wrong: {_COPY}.")
     if key is not None:
         own_key = key.strip().lstrip("#")
     if own_key is None or _KEY.fullmatch(own_key) is None:
         raise _wrong(f'The key after the # is missing or incomplete: {_COPY}, and put it in "quotes".')
     return Address(origin, robot_id, own_key)
+
+
+def _has_host(origin: str) -> bool:
+    """Whether the host can be in a request; "robots..example" cannot."""
+    try:
+        parts = urlsplit(origin)
+        (parts.hostname or "").encode("idna")
+        return parts.hostname is not None and parts.port != 0
+    except ValueError:
+        return False
 
 
 def _wrong(hint: str) -> AddressError:

@@ -34,13 +34,13 @@ class HttpTransport:
 
     def send(self, request: Request) -> Response:
         """Sends a request once. Never raises: a failed connection is a response with status 0."""
-        host = urllib.parse.urlsplit(request.url).hostname or ""
-        # A proxy would resolve a local address to itself.
-        opener = self._direct if _is_local(host) else self._proxied
-        sent = urllib.request.Request(
-            request.url, request.body, dict(request.headers), method=request.method
-        )
         try:
+            host = urllib.parse.urlsplit(request.url).hostname or ""
+            # A proxy would resolve a local address to itself.
+            opener = self._direct if _is_local(host) else self._proxied
+            sent = urllib.request.Request(
+                request.url, request.body, dict(request.headers), method=request.method
+            )
             with opener.open(sent, timeout=request.timeout) as response:
                 return _read_response(response.status, response)
         except urllib.error.HTTPError as error:
@@ -48,7 +48,8 @@ class HttpTransport:
                 return _read_response(error.code, error)
         except urllib.error.URLError as error:
             return _failure(error.reason)
-        except (OSError, http.client.HTTPException) as error:
+        except (OSError, ValueError, http.client.HTTPException) as error:
+            # ValueError: a host or header that cannot be sent.
             return _failure(error)
 
 
