@@ -75,6 +75,15 @@ describe("the work on hand-ins", () => {
     expect(state().files.map(({ read }) => read.ok)).toEqual([true, true]);
   });
 
+  it("has the files of two students with one name, and a file that is dropped again once", async () => {
+    const { work, state } = setUp();
+    const [right, left] = (["right-wall", "left-wall"] as const).map((id) =>
+      file("mine.json", JSON.stringify(programOf(id, "Mine"))),
+    );
+    for (const each of [right, left, left]) if (each !== undefined) await work.addFiles([each]);
+    expect(state().files).toHaveLength(2);
+  });
+
   it("does not read a file that is too big", async () => {
     const { work, state } = setUp();
     await work.addFiles([file("film.json", "", 9_000_001)]);

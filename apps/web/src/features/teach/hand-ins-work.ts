@@ -4,6 +4,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { TextFile } from "../../ui/incoming-files.ts";
 import type { HandInCheck } from "./check-hand-ins.ts";
 import {
+  attemptText,
   countHandIns,
   entriesOf,
   MAX_HAND_INS,
@@ -102,10 +103,8 @@ export class HandInsWork {
       return;
     }
     const read = await readHandInFiles(others);
-    const names = new Set(read.map(({ name }) => name));
     this.store.setState(({ files: before }) => ({
-      // The same file again replaces the earlier one.
-      files: [...before.filter(({ name }) => !names.has(name)), ...read],
+      files: [...before.filter((file) => !read.some((each) => isSameFile(file, each))), ...read],
       refusal: null,
     }));
   }
@@ -175,4 +174,14 @@ async function isLesson(file: TextFile): Promise<boolean> {
   } catch {
     return false;
   }
+}
+
+/**
+ * Whether a file is there again: with the same attempt, or readable now. The files of several
+ * students often have one name, that of the program with which a task begins.
+ */
+function isSameFile(before: HandInFile, again: HandInFile): boolean {
+  if (before.name !== again.name) return false;
+  if (!before.read.ok || !again.read.ok) return !before.read.ok;
+  return attemptText(before.read.value.attempt) === attemptText(again.read.value.attempt);
 }
