@@ -35,7 +35,7 @@ describe("the work of a student", () => {
   it("counts attempts, runs, bumps, failed checks, hints and mistakes of a task", () => {
     const hint: Progress = { kind: "hint", task: 1, hint: 1 };
     const again = run(0, { changed: false, mistakes: 2 });
-    const work = taskOf(workAfter(opened, run(0), again, check(3), check(5), hint), 1);
+    const work = taskOf(workAfter(opened, run(0), again, check(3), check(5), hint, hint), 1);
     expect(work).toMatchObject({
       openedAt: 1_000,
       attempts: 3,

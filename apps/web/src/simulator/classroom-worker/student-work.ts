@@ -77,7 +77,8 @@ export function withRecord(work: Work, { event, activeMs: at, seq }: ProgressRec
       return withAttempt(work, event, { seq, at });
     case "hint": {
       const { hints } = taskOf(work, event.task);
-      return withTask(work, event.task, { hints: hints + 1 });
+      // A hint comes with all hints before it, and can be shown again.
+      return withTask(work, event.task, { hints: Math.max(hints, event.hint) });
     }
     case "solved": {
       const { claims, attempts, openedAt } = taskOf(work, event.task);
