@@ -12,7 +12,7 @@ import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import type { ChallengeStore } from "../challenge/challenge-store.ts";
 import type { LessonsEntry } from "../lessons/lessons-entry.ts";
 import type { RunStore } from "../run/run-store.ts";
-import { showMessage, type ScreenStore } from "../screen/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../screen/screen-store.ts";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import { ClassLesson, storedLesson } from "./class-lesson.ts";
@@ -64,6 +64,8 @@ export class ClassWork {
   readonly #reporter: LessonReporter;
   readonly #unsubscribe: () => void;
   #hasAsked = false;
+  /** id of the message that offers the survey; null: none */
+  #offer: number | null = null;
 
   constructor(ports: ClassWorkPorts) {
     this.#ports = ports;
@@ -102,7 +104,7 @@ export class ClassWork {
       lesson: mark,
       isPaused: () => isPaused(classes),
       isDriving: () => run.getState().snapshot?.state === "running",
-      onLesson: () => this.#changed(),
+      onLesson: () => this.#changed(mark.mark),
       onNext: () => this.#reporter.update(),
       onHint: (hint) => this.#reporter.hint(hint),
       later,
@@ -161,10 +163,13 @@ export class ClassWork {
     this.#ports.services.classes.setState({ onHint: undefined });
   }
 
-  /** The lesson is known, or another one. */
-  #changed(): void {
+  /** The lesson is known, or another one, which opens after this. */
+  #changed(mark: string | null): void {
     this.#reporter.update();
+    if (mark !== null) this.#reported.begin(mark);
     this.#hasAsked = false;
+    if (this.#offer !== null) dismiss(this.#ports.services.screen, this.#offer);
+    this.#offer = null;
     this.survey.setState({ hasAnswered: this.#reported.hasAnswered });
     if (this.#reporter.isAllSolved) this.#askSurvey();
   }
@@ -174,7 +179,7 @@ export class ClassWork {
     if (this.#hasAsked || this.#reported.hasAnswered || this.questions().length === 0) return;
     this.#hasAsked = true;
     const { services, words } = this.#ports;
-    showMessage(services.screen, {
+    this.#offer = showMessage(services.screen, {
       tone: "info",
       text: words.t("join:survey.ask"),
       stays: true,
