@@ -37,7 +37,14 @@ export interface RemoteDriverEvents {
 export interface RemoteRobot {
   readonly run: Pick<
     Run,
-    "command" | "commandEnding" | "distance" | "isInGoal" | "isManoeuvring" | "pose" | "readings"
+    | "command"
+    | "commandEnding"
+    | "distance"
+    | "driver"
+    | "isInGoal"
+    | "isManoeuvring"
+    | "pose"
+    | "readings"
   >;
   addInput(input: RunInput): boolean;
 }
@@ -93,7 +100,9 @@ export class RemoteDriver {
     if (delivery.replace || isReset(delivery)) {
       const isRunning = this.#running !== null;
       this.#endAll("superseded", "replaced");
-      this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
+      // A script that is refused does not stop the robot of the user who drives.
+      if (this.#robot.run.driver === "remote")
+        this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
     }
     if (isVelocity(delivery.command)) {
       this.#bursts.add(now, delivery.ttl - delivery.remaining, Date.parse(delivery.acceptedAt));

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { firstMaze } from "../protocol/first-project.ts";
 import type { RunLoop } from "./run-loop.ts";
-import { Bench } from "./testing/bench.ts";
+import { Bench, deliveryOf } from "./testing/bench.ts";
 
 describe("a remote script", () => {
   it("has its commands run one after the other, each started and ended once", () => {
@@ -50,6 +50,19 @@ describe("a remote script", () => {
     bench.deliver({ action: "forward" });
     expect(bench.endings.get(1)).toMatchObject({ state: "cancelled" });
     expect(bench.endings.get(1)?.reason).toBe("notRemote");
+  });
+
+  it.each([
+    deliveryOf(1, { action: "drive", left: 0.5, right: 0.5 }, { replace: true }),
+    deliveryOf(1, { action: "reset" }),
+  ])("does not stop the robot of a user who drives", (delivery) => {
+    const bench = new Bench();
+    bench.loop.hold("forward");
+    bench.pass(200);
+    bench.loop.accept(delivery);
+    expect(bench.endings.get(1)?.reason).toBe("notRemote");
+    bench.pass(100);
+    expect(bench.loop.snapshot()).toMatchObject({ driver: "me", motion: "forward" });
   });
 
   it.each([
