@@ -111,7 +111,10 @@ class RobotProtocol:
 
     def check_access(self) -> Exchange[None]:
         """Raises an error unless the robot exists and its host accepts the key."""
-        limit = min(_FIRST_TIMEOUT, self._answer_timeout)
+        yield from self._probe(min(_FIRST_TIMEOUT, self._answer_timeout))
+
+    def _probe(self, limit: Optional[float] = None) -> Exchange[None]:
+        """The smallest request. `limit`: seconds for all attempts; default: the answer timeout."""
         yield from self._request("GET", f"/commands?after={_NO_COMMAND_YET}", limit=limit)
 
     def execute(self, action: Action) -> Exchange[Command]:
@@ -196,7 +199,7 @@ class RobotProtocol:
         end = self._clock() + seconds
         while (rest := end - self._clock()) > 0:
             yield Delay(min(_KEEPALIVE, rest))
-            yield from self._request("GET", f"/commands?after={_NO_COMMAND_YET}")
+            yield from self._probe()
 
     def log(self) -> Exchange[List[Command]]:
         """Every command that the host stores, oldest first."""
@@ -301,7 +304,7 @@ class RobotProtocol:
                     false_expiries += 1
                     if false_expiries == 2:
                         self._times.reset()
-                        yield from self._request("GET", f"/commands?after={_NO_COMMAND_YET}")
+                        yield from self._probe()
                     continue
             if not is_temporary(response):
                 raise error_of(response, self.address)
