@@ -6,10 +6,14 @@ import { SqliteClassStore } from "../store/sqlite/sqlite-class-store.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { classAtTwoRelays } from "./two-relays.cases.ts";
 
-it("disconnects the students of a class whose first deletion failed", async () => {
+function openBackend() {
   const file = new SqliteFile(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => file.close());
-  const backend = { store: new SqliteClassStore(file), bus: new LocalClassBus() };
+  return { store: new SqliteClassStore(file), bus: new LocalClassBus() };
+}
+
+it("disconnects the students of a class whose first deletion failed", async () => {
+  const backend = openBackend();
   const { a, at, join: joinAt, student } = await classAtTwoRelays([backend, backend]);
   const { closed } = await student(a, await joinAt(a));
   vi.spyOn(backend.store, "remove").mockRejectedValueOnce(new Error("the disk is full"));
@@ -20,9 +24,7 @@ it("disconnects the students of a class whose first deletion failed", async () =
 });
 
 it("admits students while the files still contain one who was removed", async () => {
-  const file = new SqliteFile(join(testFolder(), "corridor.sqlite"));
-  onTestFinished(() => file.close());
-  const backend = { store: new SqliteClassStore(file), bus: new LocalClassBus() };
+  const backend = openBackend();
   const { a, at, join: joinAt, student } = await classAtTwoRelays([backend, backend]);
   const { closed } = await student(a, await joinAt(a));
   const { promise: erased, resolve: erase } = Promise.withResolvers<void>();

@@ -24,7 +24,7 @@ export interface OtherRelaysParts {
   marks: Pick<MarkBoard, "received">;
   page: Pick<RobotPage, "lapsed">;
   report: ScriptReport;
-  /** another relay has deleted the robot */
+  /** a relay has deleted the robot, maybe this one */
   over(): void;
 }
 

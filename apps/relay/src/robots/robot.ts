@@ -49,7 +49,7 @@ export interface RobotParts {
   timers: CoalescedTimers;
   observer: CommandObserver;
   bus: Bus;
-  /** called when another relay has deleted the robot */
+  /** called when the robot has ended, because any relay has deleted it */
   deleted: () => void;
 }
 
